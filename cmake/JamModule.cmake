@@ -1,0 +1,25 @@
+# jam_module(NAME USES module... LINKS library...)
+# One static library per folder of src/jamscape, made of every .cpp in it. USES names the modules it may include from;
+# tests/unit/layers compares that with the include lines.
+function(jam_module name)
+  cmake_parse_arguments(ARG "" "" "USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(sources)
+    add_library(jam_${name} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(jam_${name} PRIVATE ${ARG_PRIVATE_LINKS})
+  else()
+    add_library(jam_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  list(TRANSFORM ARG_USES PREPEND jam_)
+  target_link_libraries(jam_${name} ${scope} jam_flags ${ARG_USES} ${ARG_LINKS})
+endfunction()
+
+# jam_test(NAME source... LINKS library...): one test program of GoogleTest cases.
+function(jam_test name)
+  cmake_parse_arguments(ARG "" "LABEL" "LINKS" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE ${ARG_LINKS} GTest::gtest GTest::gtest_main)
+  gtest_discover_tests(${name} PROPERTIES LABELS "${ARG_LABEL}" DISCOVERY_TIMEOUT 60)
+endfunction()

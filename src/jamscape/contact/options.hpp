@@ -1,0 +1,69 @@
+// Options of the contact laws, and what the laws are made of (PHYSICS sec. 2.1-2.3).
+#pragma once
+
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "jamscape/base/option.hpp"
+
+namespace jam {
+
+enum class NormalLaw { linear, hertz };
+template <>
+struct EnumNames<NormalLaw> {
+  static constexpr std::pair<NormalLaw, std::string_view> values[] = {{NormalLaw::linear, "linear"},
+                                                                      {NormalLaw::hertz, "hertz"}};
+};
+
+/// What happens when the dashpot would make the normal force attractive: nothing (S1), the force is cut at zero, or
+/// the rule printed in S2 Eq. 1 (force zero whenever |dashpot| > |spring|, on approach too).
+enum class DampingRule { unclipped, clipped, printed };
+template <>
+struct EnumNames<DampingRule> {
+  static constexpr std::pair<DampingRule, std::string_view> values[] = {{DampingRule::unclipped, "unclipped"},
+                                                                        {DampingRule::clipped, "clipped"},
+                                                                        {DampingRule::printed, "printed"}};
+};
+
+/// Lever arm of the tangential force: the radius R, or the distance R - x/2 to the contact point.
+enum class LeverArm { radius, contact_point };
+template <>
+struct EnumNames<LeverArm> {
+  static constexpr std::pair<LeverArm, std::string_view> values[] = {{LeverArm::radius, "radius"},
+                                                                     {LeverArm::contact_point, "contact_point"}};
+};
+
+struct ContactOptions {
+  NormalLaw law = NormalLaw::linear;
+  double stiffness = std::numbers::pi * std::numbers::pi / 2;
+  double restitution = 0.5;
+  double friction = 0.5;
+  double tangential_stiffness = 0.8;
+  double tangential_damping = 1.0;
+  DampingRule damping = DampingRule::unclipped;
+  LeverArm lever = LeverArm::radius;
+  double wall_friction = -1;
+
+  template <class V>
+  void describe(V& v) {
+    v.option("law", law, {.text = "normal force law", .source = "S1 App. A; S2 Eq. 1"});
+    v.option("stiffness", stiffness,
+             {.text = "normal spring k_n; pi^2/2 is tau_c = half the undamped period", .unit = "m/tau_c^2", .min = 0,
+              .above_min = true, .source = "PHYSICS 2.1"});
+    v.option("restitution", restitution,
+             {.text = "normal restitution of two mean grains; the damping is solved for it", .min = 0.01, .max = 1,
+              .source = "S1 App. A"});
+    v.option("friction", friction, {.text = "Coulomb coefficient mu between grains", .min = 0, .max = 1e6});
+    v.option("tangential_stiffness", tangential_stiffness,
+             {.text = "tangential over normal stiffness k_t/k_n", .min = 0, .max = 10});
+    v.option("tangential_damping", tangential_damping,
+             {.text = "tangential over normal damping gamma_t/gamma_n", .min = 0, .max = 10});
+    v.option("damping", damping, {.text = "rule for a dashpot stronger than the spring", .source = "PHYSICS 2.1, 2.2"});
+    v.option("lever", lever, {.text = "lever arm of the tangential force", .source = "PHYSICS 2.3"});
+    v.option("wall_friction", wall_friction,
+             {.text = "Coulomb coefficient between grains and walls; -1: as between grains", .min = -1, .max = 1e6});
+  }
+};
+
+}  // namespace jam

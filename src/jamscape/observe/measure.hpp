@@ -1,0 +1,46 @@
+// A measure is a pure function of a packing, registered once: name, formula, unit, source, and the columns it gives.
+// Study files, --help, documentation, CSV headers and the report read that one entry.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jamscape/base/table.hpp"
+#include "jamscape/observe/options.hpp"
+#include "jamscape/observe/snapshot.hpp"
+
+namespace jam {
+
+/// How often a measure's rows occur, and in which table they stand.
+enum class Rows {
+  frame,  ///< one row a frame: the columns join the table `frames`
+  many,   ///< several rows a frame (bins, thresholds, points): a table of its own, named after the measure
+};
+
+struct ColumnInfo {
+  std::string name;  ///< as in CSV headers, snake_case
+  std::string unit;  ///< "" where it has none
+  std::string text;  ///< one sentence
+};
+
+struct Measure {
+  std::string name;                 ///< snake_case; the key in study files
+  std::string title;                ///< a few words
+  std::string formula;              ///< plain text or TeX-like, with the usual misunderstanding where there is one
+  std::string source;               ///< key of docs/references.bib, or paper and place
+  Rows rows = Rows::frame;
+  std::vector<ColumnInfo> columns;  ///< for Rows::many the abscissae come first
+  int abscissae = 0;                ///< Rows::many: how many leading columns name the row (bin centre, threshold, ...)
+  bool averaged = true;             ///< false: rows are points, not bins; no ensemble mean is taken (diagrams)
+  std::function<Table(const Snapshot&)> evaluate;
+};
+
+/// All measures, in the order of the documentation.
+const std::vector<Measure>& measures();
+
+/// Throws a usage error with the nearest known name.
+const Measure& find_measure(std::string_view name);
+
+}  // namespace jam

@@ -1,0 +1,76 @@
+// Runs one simulation: the stages of a system from its start (or a checkpoint) to its end, one frame after another.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "jamscape/base/archive.hpp"
+#include "jamscape/packing/packing.hpp"
+#include "jamscape/protocol/options.hpp"
+
+namespace jam {
+
+/// Raised whenever a change of the code changes the bits of a simulation; part of a task's hash.
+inline constexpr int physics_revision = 1;
+
+/// What names the random numbers of one simulation.
+struct TaskKey {
+  std::uint64_t seed = 0;
+  std::string system;
+  std::uint64_t realisation = 0;
+};
+
+/// A frame the protocol will deliver, known before the simulation starts.
+struct PlannedFrame {
+  std::string stage;
+  double packing_fraction = 0;  ///< as asked for; the frame is taken at the first step that reaches it
+  std::int64_t step = 0;
+};
+
+struct Plan {
+  std::int64_t steps = 0;      ///< of the whole protocol
+  std::int64_t bodies = 0;     ///< grains
+  std::vector<PlannedFrame> frames;
+};
+
+/// What the protocol will do; throws a usage error (with the option's key in its text) for a system that cannot be:
+/// a stage that ends below the packing fraction it starts from, frames outside a stage, grains that do not fit.
+Plan plan(const SystemOptions& system, const TaskKey& key);
+
+struct Progress {
+  std::int64_t step = 0, steps = 0;
+  double packing_fraction = 0;
+  std::string stage;
+};
+
+/// Called from the simulating thread.
+struct Hooks {
+  /// Every frame not taken before the checkpoint started from, in order; `index` counts from 0 over the whole plan.
+  std::function<void(std::size_t index, const Packing&)> frame;
+  /// Some times a second.
+  std::function<void(const Progress&)> progress;
+  /// Polled some times a second: true saves a checkpoint and ends the run.
+  std::function<bool()> stop;
+  /// Polled some times a second: true saves a checkpoint and goes on. Saving changes no bit of the simulation.
+  std::function<bool()> checkpoint_due;
+  /// Receives the complete state. Frames taken before it have been delivered before.
+  std::function<void(const Archive&)> checkpoint;
+};
+
+enum class Outcome { finished, stopped };
+
+/// A simulation that left the sane: an overlap beyond half a radius, or a number that is none.
+/// what() names the step, the grain, its place, and the likely cause.
+class Diverged : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws Diverged, and whatever a hook throws. `from` continues a simulation with the same bits as if it had never
+/// been stopped; it throws a data error if it is not of this system.
+Outcome simulate(const SystemOptions& system, const TaskKey& key, const Hooks& hooks, const Archive* from = nullptr);
+
+}  // namespace jam

@@ -1,0 +1,49 @@
+// Persistent homology of a weighted graph's clique complex, by superlevel sets, over Z/2.
+//
+// A vertex enters at the largest weight of its edges (0 if it has none), an edge at its weight, a clique at the smallest
+// weight of its edges. The level set at theta holds every cell with value >= theta; lowering theta, a class is born at
+// `birth` and dies at `death` <= birth. A class that never dies has death 0 and essential = true.
+// Zero-length pairs are dropped unless asked for; isolated vertices are the essential pairs (0, 0) and always kept.
+// Source: S1 App. B; conventions PHYSICS sec. 4.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "jamscape/network/graph.hpp"
+
+namespace jam {
+
+/// What becomes of cycles of three mutually linked vertices: filled by a triangle (S1), or kept as loops.
+enum class Triangles { fill, keep };
+
+struct PersistenceOptions {
+  int max_dimension = 1;                 ///< highest homology dimension wanted: 0, 1, 2, ...
+  Triangles triangles = Triangles::fill;
+  bool keep_zero_length = false;         ///< keep pairs with birth == death of cells that are not isolated vertices
+};
+
+/// Index of a cell: a vertex in dimension 0, an edge in dimension 1; in dimension k >= 2 the index into
+/// Diagram::cliques of that dimension. -1 where there is none (the death of an essential class).
+using CellId = std::int64_t;
+
+struct PersistencePair {
+  int dimension = 0;
+  double birth = 0;
+  double death = 0;
+  bool essential = false;
+  CellId birth_cell = -1;  ///< a cell of dimension `dimension`
+  CellId death_cell = -1;  ///< a cell of dimension `dimension` + 1
+};
+
+/// All pairs, by dimension, then decreasing birth, then increasing birth cell: the same for any order of threads.
+struct Diagram {
+  std::vector<PersistencePair> pairs;
+  /// vertices of the cliques that occur as cells, by dimension (index 0 = triangles); flat, k + 1 vertices a clique
+  std::vector<std::vector<std::uint32_t>> cliques;
+};
+
+/// Throws a data error for a negative or non-finite weight, an edge out of range, a loop or a repeated edge.
+Diagram persistence(const WeightedGraph& graph, const PersistenceOptions& options = {});
+
+}  // namespace jam
