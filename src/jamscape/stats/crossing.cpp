@@ -1,0 +1,34 @@
+#include "jamscape/stats/crossing.hpp"
+
+#include <cmath>
+
+#include "jamscape/base/error.hpp"
+
+namespace jam {
+
+std::vector<Crossing> crossings(std::span<const double> x, std::span<const double> y, double level) {
+  if (x.size() != y.size()) throw data_error("a curve needs as many ordinates as abscissae");
+  for (std::size_t k = 1; k < x.size(); ++k)
+    if (!(x[k - 1] < x[k]))
+      throw data_error("the abscissae of a curve must increase", {}, "sort the samples by abscissa");
+  std::vector<Crossing> found;
+  std::size_t last = x.size();
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (std::isnan(y[k])) continue;
+    if (last < k && (y[last] < level) != (y[k] < level)) {
+      const double at = x[last] + (level - y[last]) / (y[k] - y[last]) * (x[k] - x[last]);
+      found.push_back({at, y[last] < level ? Direction::upward : Direction::downward});
+    }
+    last = k;
+  }
+  return found;
+}
+
+std::optional<double> last_upward_crossing(std::span<const double> x, std::span<const double> y, double level) {
+  const std::vector<Crossing> all = crossings(x, y, level);
+  for (auto c = all.rbegin(); c != all.rend(); ++c)
+    if (c->direction == Direction::upward) return c->x;
+  return std::nullopt;
+}
+
+}  // namespace jam

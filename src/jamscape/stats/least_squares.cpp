@@ -1,0 +1,106 @@
+#include "jamscape/stats/least_squares.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "jamscape/base/error.hpp"
+
+namespace jam {
+namespace {
+
+struct NormalEquations {
+  std::vector<double> matrix;  // J^T J, row-major
+  std::vector<double> right;   // J^T (y - model)
+  double residual = 0;
+};
+
+NormalEquations linearise(std::span<const double> x, std::span<const double> y, const Model& model,
+                          std::span<const double> p) {
+  const std::size_t m = p.size();
+  NormalEquations e{std::vector<double>(m * m, 0.0), std::vector<double>(m, 0.0), 0.0};
+  std::vector<double> g(m);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double r = y[k] - model(x[k], p, g);
+    e.residual += r * r;
+    for (std::size_t a = 0; a < m; ++a) {
+      e.right[a] += g[a] * r;
+      for (std::size_t b = 0; b < m; ++b) e.matrix[a * m + b] += g[a] * g[b];
+    }
+  }
+  return e;
+}
+
+std::vector<double> standard_errors(const NormalEquations& e, std::size_t points) {
+  const std::size_t m = e.right.size();
+  std::vector<double> errors(m, std::numeric_limits<double>::quiet_NaN());
+  if (points <= m) return errors;
+  const double variance = e.residual / static_cast<double>(points - m);
+  for (std::size_t a = 0; a < m; ++a) {
+    std::vector<double> unit(m, 0.0);
+    unit[a] = 1;
+    const std::vector<double> column = solve_linear(e.matrix, unit);
+    if (!column.empty() && column[a] >= 0) errors[a] = std::sqrt(variance * column[a]);
+  }
+  return errors;
+}
+
+}  // namespace
+
+std::vector<double> solve_linear(std::vector<double> a, std::vector<double> b) {
+  const std::size_t n = b.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    std::size_t pivot = c;
+    for (std::size_t r = c + 1; r < n; ++r)
+      if (std::abs(a[r * n + c]) > std::abs(a[pivot * n + c])) pivot = r;
+    if (!(std::abs(a[pivot * n + c]) > 0)) return {};
+    for (std::size_t k = 0; k < n; ++k) std::swap(a[c * n + k], a[pivot * n + k]);
+    std::swap(b[c], b[pivot]);
+    for (std::size_t r = c + 1; r < n; ++r) {
+      const double f = a[r * n + c] / a[c * n + c];
+      for (std::size_t k = c; k < n; ++k) a[r * n + k] -= f * a[c * n + k];
+      b[r] -= f * b[c];
+    }
+  }
+  for (std::size_t c = n; c-- > 0;) {
+    for (std::size_t k = c + 1; k < n; ++k) b[c] -= a[c * n + k] * b[k];
+    b[c] /= a[c * n + c];
+  }
+  return b;
+}
+
+Fit least_squares(std::span<const double> x, std::span<const double> y, const Model& model, std::vector<double> start,
+                  int max_iterations) {
+  if (x.size() != y.size()) throw data_error("a fit needs as many ordinates as abscissae");
+  if (x.size() < start.size()) throw data_error("a fit needs at least as many points as parameters");
+  const std::size_t m = start.size();
+  Fit fit;
+  fit.parameters = std::move(start);
+  NormalEquations e = linearise(x, y, model, fit.parameters);
+  double lambda = 1e-3;
+  for (fit.iterations = 0; fit.iterations < max_iterations && !fit.converged; ++fit.iterations) {
+    std::vector<double> damped = e.matrix;
+    for (std::size_t a = 0; a < m; ++a) damped[a * m + a] *= 1 + lambda;
+    const std::vector<double> step = solve_linear(std::move(damped), e.right);
+    if (step.empty()) break;
+    std::vector<double> trial = fit.parameters;
+    for (std::size_t a = 0; a < m; ++a) trial[a] += step[a];
+    NormalEquations next = linearise(x, y, model, trial);
+    if (next.residual <= e.residual) {
+      // A short step under heavy damping changes little too, but is not the end.
+      fit.converged = lambda <= 1 && e.residual - next.residual <= 1e-12 * e.residual;
+      fit.parameters = std::move(trial);
+      e = std::move(next);
+      lambda = std::max(lambda * 0.1, 1e-12);
+    } else {
+      lambda *= 10;
+      // No downhill step is left within the resolution of the numbers.
+      if (lambda > 1e12) fit.converged = true;
+    }
+  }
+  fit.residual = e.residual;
+  fit.errors = standard_errors(e, x.size());
+  return fit;
+}
+
+}  // namespace jam

@@ -1,0 +1,58 @@
+#include "jamscape/stats/crossing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "jamscape/base/error.hpp"
+
+namespace jam {
+namespace {
+
+TEST(Crossing, InterpolatesLinearly) {
+  const std::vector<double> x = {0.78, 0.80}, y = {2, 4};
+  ASSERT_TRUE(last_upward_crossing(x, y, 3));
+  EXPECT_NEAR(*last_upward_crossing(x, y, 3), 0.79, 1e-15);
+}
+
+TEST(Crossing, TakesTheLastUpwardOne) {
+  const std::vector<double> x = {0, 1, 2, 3, 4, 5}, y = {2, 4, 2, 4, 3.5, 2.5};
+  const std::vector<Crossing> all = crossings(x, y, 3);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].direction, Direction::upward);
+  EXPECT_EQ(all[1].direction, Direction::downward);
+  EXPECT_DOUBLE_EQ(all[1].x, 1.5);
+  EXPECT_EQ(all[3].direction, Direction::downward);
+  EXPECT_DOUBLE_EQ(*last_upward_crossing(x, y, 3), 2.5);
+}
+
+TEST(Crossing, ASampleOnTheLevelIsReached) {
+  const std::vector<double> x = {0, 1, 2}, y = {2, 3, 4};
+  const std::vector<Crossing> all = crossings(x, y, 3);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_DOUBLE_EQ(all[0].x, 1);
+  const std::vector<double> touch = {2, 3, 2};
+  EXPECT_EQ(crossings(x, touch, 3).size(), 2u);
+}
+
+TEST(Crossing, NoneIsAResult) {
+  const std::vector<double> x = {0, 1}, above = {4, 5}, falling = {5, 1};
+  EXPECT_FALSE(last_upward_crossing(x, above, 3));
+  EXPECT_FALSE(last_upward_crossing(x, falling, 3));
+  EXPECT_FALSE(last_upward_crossing({}, {}, 3));
+}
+
+TEST(Crossing, SkipsMissingSamples) {
+  const std::vector<double> x = {0, 1, 2}, y = {2, std::numeric_limits<double>::quiet_NaN(), 4};
+  EXPECT_DOUBLE_EQ(*last_upward_crossing(x, y, 3), 1);
+}
+
+TEST(Crossing, RefusesUnsortedCurves) {
+  const std::vector<double> x = {0, 2, 1}, y = {1, 2, 3}, shorter = {1};
+  EXPECT_THROW(crossings(x, y, 2), Error);
+  EXPECT_THROW(crossings(x, shorter, 2), Error);
+}
+
+}  // namespace
+}  // namespace jam
