@@ -45,6 +45,15 @@ std::vector<double> standard_errors(const NormalEquations& e, std::size_t points
   return errors;
 }
 
+// What an undamped step promises to take off the residual.
+double left_to_gain(const NormalEquations& e) {
+  const std::vector<double> step = solve_linear(e.matrix, e.right);
+  if (step.empty()) return std::numeric_limits<double>::infinity();
+  double gain = 0;
+  for (std::size_t a = 0; a < step.size(); ++a) gain += step[a] * e.right[a];
+  return std::abs(gain);
+}
+
 }  // namespace
 
 std::vector<double> solve_linear(std::vector<double> a, std::vector<double> b) {
@@ -77,6 +86,8 @@ Fit least_squares(std::span<const double> x, std::span<const double> y, const Mo
   Fit fit;
   fit.parameters = std::move(start);
   NormalEquations e = linearise(x, y, model, fit.parameters);
+  double size = 0;
+  for (const double v : y) size += v * v;
   double lambda = 1e-3;
   for (fit.iterations = 0; fit.iterations < max_iterations && !fit.converged; ++fit.iterations) {
     std::vector<double> damped = e.matrix;
@@ -86,17 +97,14 @@ Fit least_squares(std::span<const double> x, std::span<const double> y, const Mo
     std::vector<double> trial = fit.parameters;
     for (std::size_t a = 0; a < m; ++a) trial[a] += step[a];
     NormalEquations next = linearise(x, y, model, trial);
-    if (next.residual <= e.residual) {
-      // A short step under heavy damping changes little too, but is not the end.
-      fit.converged = lambda <= 1 && e.residual - next.residual <= 1e-12 * e.residual;
+    if (next.residual < e.residual) {
       fit.parameters = std::move(trial);
       e = std::move(next);
       lambda = std::max(lambda * 0.1, 1e-12);
     } else {
       lambda *= 10;
-      // No downhill step is left within the resolution of the numbers.
-      if (lambda > 1e12) fit.converged = true;
     }
+    fit.converged = left_to_gain(e) <= 1e-12 * e.residual + 1e-28 * size || lambda > 1e12;
   }
   fit.residual = e.residual;
   fit.errors = standard_errors(e, x.size());

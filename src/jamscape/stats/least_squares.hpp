@@ -19,7 +19,7 @@ struct Fit {
   std::vector<double> errors;  ///< standard errors from the residuals; NaN without degrees of freedom
   double residual = 0;         ///< sum of the squared residuals
   int iterations = 0;
-  bool converged = false;  ///< the last step changed the residual by less than a part in 1e12
+  bool converged = false;  ///< no step is left that would take more than a part in 1e12 off the residual
 };
 
 /// Throws a data error when x and y differ in length or there are fewer points than parameters.
