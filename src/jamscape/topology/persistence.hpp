@@ -1,13 +1,15 @@
 // Persistent homology of a weighted graph's clique complex, by superlevel sets, over Z/2.
 //
-// A vertex enters at the largest weight of its edges (0 if it has none), an edge at its weight, a clique at the smallest
-// weight of its edges. The level set at theta holds every cell with value >= theta; lowering theta, a class is born at
-// `birth` and dies at `death` <= birth. A class that never dies has death 0 and essential = true.
-// Zero-length pairs are dropped unless asked for; isolated vertices are the essential pairs (0, 0) and always kept.
-// Source: S1 App. B; conventions PHYSICS sec. 4.
+// A vertex enters at the largest weight of its edges (0 if it has none), an edge at its weight, a clique at the
+// smallest weight of its edges. The level set at theta holds every cell with value >= theta; lowering theta, a class is
+// born at `birth` and dies at `death` <= birth. A class that never dies has death 0 and essential = true. Pairs of zero
+// length are dropped unless asked for; essential classes are always kept, also the pairs (0, 0) of isolated vertices.
+// Cells of equal value enter by increasing index, so the pairs of cells are the same on every run. Source: S1 App. B;
+// conventions PHYSICS sec. 4.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "jamscape/network/graph.hpp"
@@ -18,9 +20,9 @@ namespace jam {
 enum class Triangles { fill, keep };
 
 struct PersistenceOptions {
-  int max_dimension = 1;                 ///< highest homology dimension wanted: 0, 1, 2, ...
+  int max_dimension = 1;  ///< highest homology dimension wanted: 0, 1, 2, ...
   Triangles triangles = Triangles::fill;
-  bool keep_zero_length = false;         ///< keep pairs with birth == death of cells that are not isolated vertices
+  bool keep_zero_length = false;  ///< keep pairs with birth == death of cells that are not isolated vertices
 };
 
 /// Index of a cell: a vertex in dimension 0, an edge in dimension 1; in dimension k >= 2 the index into
@@ -39,11 +41,28 @@ struct PersistencePair {
 /// All pairs, by dimension, then decreasing birth, then increasing birth cell: the same for any order of threads.
 struct Diagram {
   std::vector<PersistencePair> pairs;
-  /// vertices of the cliques that occur as cells, by dimension (index 0 = triangles); flat, k + 1 vertices a clique
+  /// vertices of the cliques that occur in pairs, by dimension (index 0 = triangles); flat, k + 1 increasing vertices
+  /// each
   std::vector<std::vector<std::uint32_t>> cliques;
 };
 
+/// Memory that calls may share to be faster; one for each thread. Its contents never influence a result.
+class PersistenceWorkspace {
+ public:
+  PersistenceWorkspace();
+  ~PersistenceWorkspace();
+  PersistenceWorkspace(const PersistenceWorkspace&) = delete;
+  PersistenceWorkspace& operator=(const PersistenceWorkspace&) = delete;
+
+ private:
+  friend Diagram persistence(const WeightedGraph&, const PersistenceOptions&, PersistenceWorkspace&);
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
 /// Throws a data error for a negative or non-finite weight, an edge out of range, a loop or a repeated edge.
+/// Safe to call from several threads.
 Diagram persistence(const WeightedGraph& graph, const PersistenceOptions& options = {});
+Diagram persistence(const WeightedGraph& graph, const PersistenceOptions& options, PersistenceWorkspace& workspace);
 
 }  // namespace jam
