@@ -1,0 +1,134 @@
+#include "jamscape/study/measure_task.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/base/files.hpp"
+#include "jamscape/base/hash.hpp"
+#include "jamscape/study/version.hpp"
+
+namespace jam {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string measure_key(const Measure& measure, MeasureOptions options, const RunFile& run) {
+  std::string text = fmt::format("{} {}\n", program_version(), measure.name);
+  for (const ColumnInfo& c : measure.columns) text += c.name + "\n";
+  for (const Option& o : options_of(options)) text += fmt::format("{} = {}\n", o.key, print_value(o));
+  for (const std::int64_t step : run.steps()) text += fmt::format("{} ", step);
+  return short_hash(text);
+}
+
+fs::path table_file(const TaskFolder& folder, const Measure& measure) { return folder.tables() / (measure.name + ".csv"); }
+
+nlohmann::json read_keys(const TaskFolder& folder) {
+  std::error_code ignored;
+  const fs::path file = folder.tables() / "keys.json";
+  if (!fs::exists(file, ignored)) return nlohmann::json::object();
+  nlohmann::json keys = nlohmann::json::parse(read_text(file), nullptr, false);
+  return keys.is_object() ? keys : nlohmann::json::object();
+}
+
+std::string header(const Measure& measure) {
+  std::string text = "frame";
+  for (const ColumnInfo& c : measure.columns) text += "," + c.name;
+  return text + "\n";
+}
+
+void append_rows(const Measure& measure, const Table& table, std::size_t frame, std::string& text) {
+  std::vector<const Column*> columns;
+  for (const ColumnInfo& c : measure.columns) columns.push_back(&table.column(c.name));
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    text += fmt::format("{}", frame);
+    for (const Column* column : columns)
+      std::visit([&](const auto& values) { text += fmt::format(",{}", values[row]); }, column->values);
+    text += "\n";
+  }
+}
+
+}  // namespace
+
+std::vector<const Measure*> chosen_measures(const Study& study) {
+  std::vector<const Measure*> chosen;
+  for (const std::string& name : study.measures.list) find_measure(name);
+  for (const Measure& m : measures()) {
+    const std::vector<std::string>& list = study.measures.list;
+    if (list.empty() || std::find(list.begin(), list.end(), m.name) != list.end()) chosen.push_back(&m);
+  }
+  return chosen;
+}
+
+std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measure*>& measures,
+                         const MeasureOptions& options, Remeasure what, const std::function<bool()>& stop) {
+  const RunFile run(folder.run_file());
+  nlohmann::json keys = read_keys(folder);
+  std::vector<const Measure*> missing;
+  for (const Measure* m : measures) {
+    std::error_code ignored;
+    const bool cached = fs::exists(table_file(folder, *m), ignored) && keys.value(m->name, "") == measure_key(*m, options, run);
+    if (!cached || what == Remeasure::all) missing.push_back(m);
+  }
+  if (missing.empty()) return 0;
+
+  std::vector<std::string> texts;
+  for (const Measure* m : missing) texts.push_back(header(*m));
+  for (std::size_t frame = 0; frame < run.frames(); ++frame) {
+    if (stop && stop()) return 0;
+    const Packing packing = run.frame(frame);
+    const Snapshot snapshot(packing, options);
+    for (std::size_t k = 0; k < missing.size(); ++k)
+      append_rows(*missing[k], missing[k]->evaluate(snapshot), frame, texts[k]);
+  }
+  make_folder(folder.tables());
+  for (std::size_t k = 0; k < missing.size(); ++k) {
+    write_text(table_file(folder, *missing[k]), texts[k]);
+    keys[missing[k]->name] = measure_key(*missing[k], options, run);
+  }
+  write_text(folder.tables() / "keys.json", keys.dump(1) + "\n");
+  return missing.size();
+}
+
+CachedRows read_cached_rows(const TaskFolder& folder, const Measure& measure) {
+  const fs::path file = table_file(folder, measure);
+  const std::string text = read_text(file);
+  CachedRows rows;
+  std::size_t at = 0;
+  for (bool first = true; at < text.size(); first = false) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line(text.data() + at, end - at);
+    at = end + 1;
+    const std::size_t comma = line.find(',');
+    if (comma == std::string_view::npos) throw data_error("a line has no columns", file.string());
+    if (first) {
+      rows.header = line.substr(comma + 1);
+      continue;
+    }
+    std::size_t frame = 0;
+    if (std::from_chars(line.data(), line.data() + comma, frame).ptr != line.data() + comma || frame > 100'000'000)
+      throw data_error("a line begins with no frame", file.string(), "remove the file; it will be made anew");
+    if (rows.lines.size() <= frame) rows.lines.resize(frame + 1);
+    rows.lines[frame].emplace_back(line.substr(comma + 1));
+  }
+  return rows;
+}
+
+std::vector<double> read_numbers(std::string_view line, const std::string& file) {
+  std::vector<double> numbers;
+  const char *at = line.data(), *end = at + line.size();
+  while (true) {
+    double value = 0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error != std::errc{} || (next != end && *next != ','))
+      throw data_error(fmt::format("\"{}\" is no line of numbers", line), file, "remove the file; it will be made anew");
+    numbers.push_back(value);
+    if (next == end) return numbers;
+    at = next + 1;
+  }
+}
+
+}  // namespace jam

@@ -1,0 +1,37 @@
+// The rows a task adds to the tables, kept in its folder: tables/<measure>.csv with the column `frame` (index in run.h5)
+// in front. A file is made anew only when it is missing or when what determines it has changed (tables/keys.json).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jamscape/observe/measure.hpp"
+#include "jamscape/study/study.hpp"
+#include "jamscape/study/task_folder.hpp"
+
+namespace jam {
+
+/// The measures a study asks for, in the order of the registry; throws a usage error for an unknown name.
+std::vector<const Measure*> chosen_measures(const Study& study);
+
+enum class Remeasure { missing, all };
+
+/// Evaluates the measures on every stored frame of a task that is done. Returns how many measures were computed.
+/// `stop` is polled between frames; true leaves the tables as they were. Throws a data error for an unreadable run.h5.
+std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measure*>& measures,
+                         const MeasureOptions& options, Remeasure what = Remeasure::missing,
+                         const std::function<bool()>& stop = {});
+
+/// The cached rows of one measure of one task, as text: lines[f] are the rows of frame f of run.h5 without the leading
+/// frame column.
+struct CachedRows {
+  std::string header;
+  std::vector<std::vector<std::string>> lines;
+};
+CachedRows read_cached_rows(const TaskFolder& folder, const Measure& measure);
+
+/// Fields of a line of numbers; throws a data error naming `file` for anything else.
+std::vector<double> read_numbers(std::string_view line, const std::string& file);
+
+}  // namespace jam

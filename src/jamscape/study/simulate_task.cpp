@@ -1,0 +1,132 @@
+#include "jamscape/study/simulate_task.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/base/files.hpp"
+#include "jamscape/base/hash.hpp"
+#include "jamscape/io/archive_file.hpp"
+#include "jamscape/study/version.hpp"
+
+namespace jam {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* frames_done_entry = "study/frames_done";
+constexpr const char* plan_entry = "study/plan";
+
+/// Which frames were planned; a checkpoint is of use only to a run that plans the same.
+std::string plan_key(const Plan& plan) {
+  std::string text;
+  for (const PlannedFrame& f : plan.frames) text += fmt::format("{} {} {}\n", f.stage, f.packing_fraction, f.step);
+  return short_hash(text);
+}
+
+struct Resume {
+  Archive state;
+  std::size_t frames_done = 0;
+};
+
+/// The checkpoint, if there is one that fits and all frames before it are still there.
+std::optional<Resume> find_checkpoint(const Task& task, const TaskFolder& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder.checkpoint(), ignored)) return std::nullopt;
+  try {
+    Resume resume{read_archive(folder.checkpoint()), 0};
+    const auto done = resume.state.extract(frames_done_entry);
+    const auto plan = resume.state.extract(plan_entry);
+    if (done.empty() || plan.empty() || std::get<std::string>(plan.mapped()) != plan_key(task.plan)) return std::nullopt;
+    resume.frames_done = static_cast<std::size_t>(std::get<std::vector<std::int64_t>>(done.mapped()).at(0));
+    for (std::size_t k = 0; k < resume.frames_done; ++k)
+      if (!fs::exists(folder.frame(k), ignored)) return std::nullopt;
+    return resume;
+  } catch (const std::exception& error) {
+    folder.log(nlohmann::json{{"event", "checkpoint unusable"}, {"reason", error.what()}}.dump());
+    return std::nullopt;
+  }
+}
+
+Outcome simulate_from(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks,
+                      const Resume* resume) {
+  std::size_t frames_done = resume ? resume->frames_done : 0;
+  auto saved = Clock::now();
+  Hooks engine;
+  engine.progress = hooks.progress;
+  engine.stop = hooks.stop;
+  engine.checkpoint_due = [&] {
+    return std::chrono::duration<double>(Clock::now() - saved).count() >= hooks.checkpoint_interval;
+  };
+  engine.checkpoint = [&](const Archive& state) {
+    Archive all = state;
+    all[frames_done_entry] = std::vector<std::int64_t>{static_cast<std::int64_t>(frames_done)};
+    all[plan_entry] = plan_key(task.plan);
+    write_archive(folder.checkpoint(), all);
+    saved = Clock::now();
+  };
+  engine.frame = [&](std::size_t index, const Packing& packing) {
+    write_frame(folder.frame(index), packing);
+    frames_done = index + 1;
+  };
+  return simulate(study.systems[task.system].options, task.key, engine, resume ? &resume->state : nullptr);
+}
+
+void assemble(const Study& study, const Task& task, const TaskFolder& folder) {
+  std::vector<fs::path> files;
+  for (std::size_t k = 0; k < task.plan.frames.size(); ++k) files.push_back(folder.frame(k));
+  const Provenance provenance{task_text(study, task), std::string(program_version()),
+                              {{"commit", std::string(program_commit())},
+                               {"hash", task.hash},
+                               {"physics_revision", fmt::format("{}", physics_revision)},
+                               {"realisation", fmt::format("{}", task.realisation)},
+                               {"seed", fmt::format("{}", task.key.seed)}}};
+  assemble_run(files, folder.run_file(), provenance);
+}
+
+}  // namespace
+
+std::string task_text(const Study& study, const Task& task) {
+  Study one;
+  one.info = {.name = task.hash, .title = "", .seed = study.info.seed, .realisations = 1, .targets = ""};
+  one.base = study.systems[task.system].options;
+  one.systems = {{task.hash, one.base, {}}};
+  return print_study(one) +
+         fmt::format("\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\nphysics_key = {}\nrealisation = {}\n",
+                     print_text(program_version()), print_text(program_commit()), physics_revision,
+                     print_text(task.key.system), task.realisation);
+}
+
+Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks) {
+  if (has_all_frames(folder, task.plan)) {
+    folder.discard_partial();
+    return Outcome::finished;
+  }
+  make_folder(folder.frames());
+  write_text(folder.path() / "task.toml", task_text(study, task));
+  const auto begin = Clock::now();
+  const std::optional<Resume> resume = find_checkpoint(task, folder);
+  if (!resume) {
+    folder.discard_partial();
+    make_folder(folder.frames());
+  }
+  folder.log(nlohmann::json{{"event", resume ? "resumed" : "started"}, {"commit", program_commit()}}.dump());
+  const Outcome outcome = simulate_from(study, task, folder, hooks, resume ? &*resume : nullptr);
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  if (outcome == Outcome::finished) {
+    assemble(study, task, folder);
+    folder.discard_partial();
+  }
+  folder.log(nlohmann::json{{"event", outcome == Outcome::finished ? "finished" : "stopped"},
+                            {"seconds", seconds},
+                            {"steps", task.plan.steps},
+                            {"bodies", task.plan.bodies}}
+                 .dump());
+  return outcome;
+}
+
+}  // namespace jam

@@ -1,0 +1,72 @@
+#include "jamscape/study/task.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/study/identity.hpp"
+
+namespace jam {
+namespace {
+
+/// The engine names the option a complaint is about; here it gets the place where that option was written.
+Error with_place(const Error& error, const System& system, const std::string& file) {
+  if (!error.place().empty()) return error;
+  std::string key, place = file;
+  for (const auto& [name, at] : system.places)
+    if (name.size() > key.size() && error.problem().find(name) != std::string::npos) key = name, place = at;
+  return {error.code(), fmt::format("system '{}': {}", system.name, error.problem()), place, error.suggestion()};
+}
+
+}  // namespace
+
+std::vector<Task> list_tasks(const Study& study) {
+  std::vector<Task> tasks;
+  const auto seed = static_cast<std::uint64_t>(study.info.seed);
+  for (std::size_t s = 0; s < study.systems.size(); ++s) {
+    const System& system = study.systems[s];
+    for (std::int64_t r = 0; r < study.info.realisations; ++r) {
+      Task task;
+      task.system = s;
+      task.realisation = static_cast<std::uint64_t>(r);
+      task.key = task_key(system.options, seed, task.realisation);
+      task.hash = task_hash(system.options, seed, task.realisation);
+      try {
+        task.plan = plan(system.options, task.key);
+      } catch (const Error& error) {
+        throw with_place(error, system, study.file);
+      }
+      tasks.push_back(std::move(task));
+    }
+  }
+  return tasks;
+}
+
+Shard read_shard(const std::string& text) {
+  Shard shard;
+  const char *at = text.data(), *end = at + text.size();
+  const auto first = std::from_chars(at, end, shard.index);
+  const bool slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
+  const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
+  if (!slash || second.ec != std::errc{} || second.ptr != end || shard.index < 1 || shard.index > shard.count)
+    throw usage_error(fmt::format("'{}' is no shard", text), "--shard", "i/n with 1 <= i <= n, for example --shard 1/4");
+  return shard;
+}
+
+std::vector<std::size_t> order_tasks(const std::vector<Task>& tasks, const Shard& shard) {
+  std::vector<std::size_t> order;
+  std::set<std::string> seen;
+  for (std::size_t k = 0; k < tasks.size(); ++k)
+    if (seen.insert(tasks[k].hash).second) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return tasks[a].cost() > tasks[b].cost(); });
+  std::vector<std::size_t> mine;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if (k % static_cast<std::size_t>(shard.count) == static_cast<std::size_t>(shard.index - 1)) mine.push_back(order[k]);
+  return mine;
+}
+
+}  // namespace jam

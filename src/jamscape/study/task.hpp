@@ -1,0 +1,40 @@
+// Tasks: one per system and realisation, in that order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "jamscape/protocol/simulate.hpp"
+#include "jamscape/study/study.hpp"
+
+namespace jam {
+
+struct Task {
+  std::size_t system = 0;  ///< index in Study::systems
+  std::uint64_t realisation = 0;
+  TaskKey key;
+  std::string hash;
+  Plan plan;
+
+  /// Grains times steps: what it costs.
+  double cost() const { return static_cast<double>(plan.steps) * static_cast<double>(plan.bodies); }
+};
+
+/// All tasks; systems with equal physics share tasks of one hash. Throws a usage error with the place in the study file for
+/// a system that cannot be.
+std::vector<Task> list_tasks(const Study& study);
+
+/// Which part of the tasks a runner does: tasks index, index + count, ... (index from 1 as on the command line).
+struct Shard {
+  int index = 1, count = 1;
+};
+
+/// Reads "i/n"; throws a usage error.
+Shard read_shard(const std::string& text);
+
+/// The indices of the tasks to be done by a shard: each hash once, the longest first.
+std::vector<std::size_t> order_tasks(const std::vector<Task>& tasks, const Shard& shard);
+
+}  // namespace jam

@@ -1,0 +1,69 @@
+#include "jamscape/study/task_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/base/files.hpp"
+
+namespace jam {
+
+namespace fs = std::filesystem;
+
+fs::path TaskFolder::frame(std::size_t index) const { return frames() / fmt::format("{:06}.h5", index); }
+
+TaskState TaskFolder::state() const {
+  std::error_code ignored;
+  if (fs::exists(path_ / "failed.txt", ignored)) return TaskState::failed;
+  if (fs::exists(run_file(), ignored)) return TaskState::done;
+  return fs::exists(path_ / "task.toml", ignored) ? TaskState::started : TaskState::waiting;
+}
+
+std::string TaskFolder::failure() const {
+  std::error_code ignored;
+  if (!fs::exists(path_ / "failed.txt", ignored)) return {};
+  std::string text = read_text(path_ / "failed.txt");
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+void TaskFolder::log(const std::string& json_line) const noexcept {
+  try {
+    std::ofstream(path_ / "log.jsonl", std::ios::app) << json_line << '\n';
+  } catch (...) {
+  }
+}
+
+void TaskFolder::discard_partial() const {
+  std::error_code ignored;
+  fs::remove(checkpoint(), ignored);
+  fs::remove_all(frames(), ignored);
+}
+
+std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const Plan& plan) {
+  const std::vector<std::int64_t>& steps = run.steps();
+  const std::vector<std::string>& stages = run.stages();
+  std::vector<std::size_t> indices;
+  for (const PlannedFrame& wanted : plan.frames) {
+    std::optional<std::size_t> found;
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      if (steps[k] == wanted.step && (!found || (stages[k] == wanted.stage && stages[*found] != wanted.stage))) found = k;
+    if (!found) return std::nullopt;
+    indices.push_back(*found);
+  }
+  return indices;
+}
+
+bool has_all_frames(const TaskFolder& folder, const Plan& plan) {
+  std::error_code ignored;
+  if (!fs::exists(folder.run_file(), ignored)) return false;
+  try {
+    return stored_frames(RunFile(folder.run_file()), plan).has_value();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace jam
