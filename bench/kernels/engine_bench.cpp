@@ -1,11 +1,12 @@
 // Our side of bench/peers/run_engine: steps a packing that LAMMPS made, from LAMMPS's own state.
 //
-//   engine_bench state FILE STEPS    JSON: the forces of every contact at LAMMPS's step 0 by our law; what our engine has
-//                                    at LAMMPS's steps 1 and STEPS (positions, velocities, spins, forces of the grains)
+//   engine_bench state FILE STEPS    JSON: the forces of every contact at LAMMPS's step 0 by our law; positions,
+//                                    velocities, spins and forces of the grains at its steps 1 and STEPS by our engine
 //   engine_bench time FILE STEPS     JSON: seconds of the stepping loop alone
 //
 // LAMMPS's set-up evaluates forces with full-step velocities and leaves the springs alone, unlike every step after it.
-// So we enter one step later: v(1/2) = v(0) + f(0)/m dt/2 with LAMMPS's f(0), x(1) = x(0) + v(1/2) dt, springs of step 0.
+// So we enter one step later: v(1/2) = v(0) + f(0)/m dt/2 with LAMMPS's f(0), x(1) = x(0) + v(1/2) dt, springs of
+// step 0.
 #include <fmt/core.h>
 
 #include <chrono>
@@ -162,8 +163,8 @@ std::string grains(const jam::Packing& p) {
   std::string out;
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     const auto &x = p.grains.position[k], &v = p.grains.velocity[k];
-    out += fmt::format("{}[{},{},{},{},{},{},{}]", out.empty() ? "" : ",\n", x[0], x[1], v[0], v[1], p.grains.spin[k][2],
-                       force[k][0], force[k][1]);
+    out += fmt::format("{}[{},{},{},{},{},{},{}]", out.empty() ? "" : ",\n", x[0], x[1], v[0], v[1],
+                       p.grains.spin[k][2], force[k][0], force[k][1]);
   }
   return "[" + out + "]";
 }
