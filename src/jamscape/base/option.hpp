@@ -19,13 +19,13 @@ namespace jam {
 enum class Dimension { none, length, time, mass, speed, acceleration, force, pressure, stiffness, density };
 
 struct OptionMeta {
-  std::string_view text;                                    ///< one sentence: what it is
-  std::string_view unit = "";                               ///< unit of a bare number in scaled studies, e.g. "d/tau_c"
-  double min = -std::numeric_limits<double>::infinity();    ///< smallest allowed value
-  double max = std::numeric_limits<double>::infinity();     ///< largest allowed value
-  bool above_min = false;                                   ///< true: min itself is not allowed
+  std::string_view text;                                  ///< one sentence: what it is
+  std::string_view unit = "";                             ///< unit of a bare number in scaled studies, e.g. "d/tau_c"
+  double min = -std::numeric_limits<double>::infinity();  ///< smallest allowed value
+  double max = std::numeric_limits<double>::infinity();   ///< largest allowed value
+  bool above_min = false;                                 ///< true: min itself is not allowed
   Dimension dimension = Dimension::none;
-  std::string_view source = "";                             ///< paper and place, e.g. "S1 App. A"
+  std::string_view source = "";  ///< paper and place, e.g. "S1 App. A"
 };
 
 /// Names of an enum's values as they stand in study files; specialise for each enum used as an option:

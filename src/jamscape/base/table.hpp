@@ -29,8 +29,12 @@ struct Table {
   std::vector<double> numbers(std::string_view name) const;
 
   void add(std::string name, std::vector<double> values) { columns.push_back({std::move(name), std::move(values)}); }
-  void add(std::string name, std::vector<std::int64_t> values) { columns.push_back({std::move(name), std::move(values)}); }
-  void add(std::string name, std::vector<std::string> values) { columns.push_back({std::move(name), std::move(values)}); }
+  void add(std::string name, std::vector<std::int64_t> values) {
+    columns.push_back({std::move(name), std::move(values)});
+  }
+  void add(std::string name, std::vector<std::string> values) {
+    columns.push_back({std::move(name), std::move(values)});
+  }
 };
 
 }  // namespace jam

@@ -21,9 +21,8 @@ struct EnumNames<NormalLaw> {
 enum class DampingRule { unclipped, clipped, printed };
 template <>
 struct EnumNames<DampingRule> {
-  static constexpr std::pair<DampingRule, std::string_view> values[] = {{DampingRule::unclipped, "unclipped"},
-                                                                        {DampingRule::clipped, "clipped"},
-                                                                        {DampingRule::printed, "printed"}};
+  static constexpr std::pair<DampingRule, std::string_view> values[] = {
+      {DampingRule::unclipped, "unclipped"}, {DampingRule::clipped, "clipped"}, {DampingRule::printed, "printed"}};
 };
 
 /// Lever arm of the tangential force: the radius R, or the distance R - x/2 to the contact point.
@@ -49,10 +48,15 @@ struct ContactOptions {
   void describe(V& v) {
     v.option("law", law, {.text = "normal force law", .source = "S1 App. A; S2 Eq. 1"});
     v.option("stiffness", stiffness,
-             {.text = "normal spring k_n; pi^2/2 is tau_c = half the undamped period", .unit = "m/tau_c^2", .min = 0,
-              .above_min = true, .source = "PHYSICS 2.1"});
+             {.text = "normal spring k_n; pi^2/2 is tau_c = half the undamped period",
+              .unit = "m/tau_c^2",
+              .min = 0,
+              .above_min = true,
+              .source = "PHYSICS 2.1"});
     v.option("restitution", restitution,
-             {.text = "normal restitution of two mean grains; the damping is solved for it", .min = 0.01, .max = 1,
+             {.text = "normal restitution of two mean grains; the damping is solved for it",
+              .min = 0.01,
+              .max = 1,
               .source = "S1 App. A"});
     v.option("friction", friction, {.text = "Coulomb coefficient mu between grains", .min = 0, .max = 1e6});
     v.option("tangential_stiffness", tangential_stiffness,

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
+
+#include "jamscape/geometry/scalar.hpp"
 
 namespace jam {
 
@@ -11,49 +12,49 @@ template <int D, class T = double>
 struct Vec {
   T c[D];
 
-  constexpr T& operator[](int k) { return c[k]; }
-  constexpr const T& operator[](int k) const { return c[k]; }
+  JAM_INLINE constexpr T& operator[](int k) { return c[k]; }
+  JAM_INLINE constexpr const T& operator[](int k) const { return c[k]; }
   bool operator==(const Vec&) const = default;
 };
 
 template <int D, class T>
-constexpr Vec<D, T> operator+(Vec<D, T> a, const Vec<D, T>& b) {
+JAM_INLINE constexpr Vec<D, T> operator+(Vec<D, T> a, const Vec<D, T>& b) {
   for (int k = 0; k < D; ++k) a[k] = a[k] + b[k];
   return a;
 }
 template <int D, class T>
-constexpr Vec<D, T> operator-(Vec<D, T> a, const Vec<D, T>& b) {
+JAM_INLINE constexpr Vec<D, T> operator-(Vec<D, T> a, const Vec<D, T>& b) {
   for (int k = 0; k < D; ++k) a[k] = a[k] - b[k];
   return a;
 }
 template <int D, class T>
-constexpr Vec<D, T> operator*(const T& s, Vec<D, T> a) {
+JAM_INLINE constexpr Vec<D, T> operator*(const T& s, Vec<D, T> a) {
   for (int k = 0; k < D; ++k) a[k] = s * a[k];
   return a;
 }
 template <int D, class T>
-constexpr Vec<D, T>& operator+=(Vec<D, T>& a, const Vec<D, T>& b) {
+JAM_INLINE constexpr Vec<D, T>& operator+=(Vec<D, T>& a, const Vec<D, T>& b) {
   return a = a + b;
 }
 template <int D, class T>
-constexpr Vec<D, T>& operator-=(Vec<D, T>& a, const Vec<D, T>& b) {
+JAM_INLINE constexpr Vec<D, T>& operator-=(Vec<D, T>& a, const Vec<D, T>& b) {
   return a = a - b;
 }
 
 template <int D, class T>
-constexpr T dot(const Vec<D, T>& a, const Vec<D, T>& b) {
+JAM_INLINE constexpr T dot(const Vec<D, T>& a, const Vec<D, T>& b) {
   T s = a[0] * b[0];
   for (int k = 1; k < D; ++k) s = s + a[k] * b[k];
   return s;
 }
 
 template <class T>
-constexpr Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>& b) {
+JAM_INLINE constexpr Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 template <int D>
-double norm(const Vec<D>& a) {
+JAM_INLINE double norm(const Vec<D>& a) {
   return std::sqrt(dot(a, a));
 }
 

@@ -37,17 +37,17 @@ struct Grains {
 
 /// Contacts, sorted by (i, j, part_i, part_j); all arrays have the same length.
 struct Contacts {
-  std::vector<std::uint32_t> i;        ///< index of a grain
-  std::vector<std::int32_t> j;         ///< index of a grain, or -1 - w for wall w
-  std::vector<std::uint16_t> part_i;   ///< part of body i (0 for discs and spheres)
-  std::vector<std::uint16_t> part_j;   ///< part of body j; for a wall of beads, the bead
+  std::vector<std::uint32_t> i;       ///< index of a grain
+  std::vector<std::int32_t> j;        ///< index of a grain, or -1 - w for wall w
+  std::vector<std::uint16_t> part_i;  ///< part of body i (0 for discs and spheres)
+  std::vector<std::uint16_t> part_j;  ///< part of body j; for a wall of beads, the bead
   std::vector<std::array<std::int8_t, 3>> image;
   std::vector<double> overlap;
-  std::vector<double> normal_force;    ///< signed: may be slightly negative under an unclipped dashpot
+  std::vector<double> normal_force;  ///< signed: may be slightly negative under an unclipped dashpot
   std::vector<Vec3> normal;
   std::vector<Vec3> tangential_force;  ///< on i
   std::vector<Vec3> point;
-  std::vector<std::uint8_t> sliding;   ///< 1 where the Coulomb limit is reached
+  std::vector<std::uint8_t> sliding;  ///< 1 where the Coulomb limit is reached
 
   std::size_t size() const { return i.size(); }
 };
@@ -57,8 +57,8 @@ enum class WallKind : std::uint8_t { plane, beads };
 /// A wall: a plane, or a straight row (2D) of touching beads that moves as one rigid piece along its normal.
 struct Wall {
   WallKind kind = WallKind::plane;
-  Vec3 position{};          ///< a point of the plane, or of the line through the bead centres
-  Vec3 normal{};            ///< unit vector, pointing into the domain
+  Vec3 position{};  ///< a point of the plane, or of the line through the bead centres
+  Vec3 normal{};    ///< unit vector, pointing into the domain
   Vec3 velocity{};
   Vec3 force{};             ///< total force of the grains on the wall
   double bead_radius = 0;   ///< beads only
@@ -85,9 +85,9 @@ struct Packing {
   int dimension = 2;
   std::int64_t step = 0;
   double time = 0;
-  std::string stage;                   ///< name of the protocol stage this instant belongs to
-  double packing_fraction = 0;         ///< in the study's box and grain-area convention
-  double packing_fraction_plain = 0;   ///< grain area (volume) over the area between the walls, no correction
+  std::string stage;                  ///< name of the protocol stage this instant belongs to
+  double packing_fraction = 0;        ///< in the study's box and grain-area convention
+  double packing_fraction_plain = 0;  ///< true grain area (volume), over the same box
   Domain domain;
   Grains grains;
   Contacts contacts;

@@ -10,6 +10,7 @@
 
 #include "jamscape/base/option.hpp"
 #include "jamscape/contact/options.hpp"
+#include "jamscape/dem/scheme.hpp"
 
 namespace jam {
 
@@ -23,8 +24,8 @@ struct EnumNames<SizeLaw> {
 struct GrainOptions {
   std::int64_t count = 2025;
   SizeLaw sizes = SizeLaw::uniform;
-  double width = 0.4;           // r_p
-  double size_ratio = 1.4;      // bidisperse
+  double width = 0.4;       // r_p
+  double size_ratio = 1.4;  // bidisperse
   double small_fraction = 2.0 / 3.0;
   double inertia_factor = 0.5;  // I = factor m R^2
 
@@ -33,8 +34,11 @@ struct GrainOptions {
     v.option("count", count, {.text = "number of grains", .min = 1, .max = 1e8});
     v.option("sizes", sizes, {.text = "distribution of the diameters, mean 1 d", .source = "S1 Sec. II.A"});
     v.option("width", width,
-             {.text = "uniform sizes: full width r_p, diameters in (1 - r_p/2, 1 + r_p/2) d", .unit = "d", .min = 0,
-              .max = 1.5, .source = "S1 App. A"});
+             {.text = "uniform sizes: full width r_p, diameters in (1 - r_p/2, 1 + r_p/2) d",
+              .unit = "d",
+              .min = 0,
+              .max = 1.5,
+              .source = "S1 App. A"});
     v.option("size_ratio", size_ratio, {.text = "bidisperse sizes: large over small diameter", .min = 1, .max = 10});
     v.option("small_fraction", small_fraction,
              {.text = "bidisperse sizes: fraction of grains that are small", .min = 0, .max = 1});
@@ -79,18 +83,20 @@ struct DomainOptions {
   template <class V>
   void describe(V& v) {
     v.option("dimension", dimension, {.text = "number of space dimensions", .min = 2, .max = 3});
-    v.option("walls", walls, {.text = "what confines the grains: rows of touching beads, flat walls, or a periodic box"});
+    v.option("walls", walls,
+             {.text = "what confines the grains: rows of touching beads, flat walls, or a periodic box"});
     v.option("bead_phase", bead_phase,
              {.text = "shift of the rows of beads along themselves", .unit = "d", .min = 0, .max = 1});
     v.option("box", box, {.text = "where a box of bead walls ends, for the packing fraction", .source = "PHYSICS 6a"});
-    v.option("area", area, {.text = "grain area in the packing fraction: N pi d^2/4, or the true sum", .source = "PHYSICS 6a"});
+    v.option("area", area,
+             {.text = "grain area in the packing fraction: N pi d^2/4, or the true sum", .source = "PHYSICS 6a"});
   }
 };
 
-enum class Scheme { verlet, gear5 };
 template <>
 struct EnumNames<Scheme> {
-  static constexpr std::pair<Scheme, std::string_view> values[] = {{Scheme::verlet, "verlet"}, {Scheme::gear5, "gear5"}};
+  static constexpr std::pair<Scheme, std::string_view> values[] = {{Scheme::verlet, "verlet"},
+                                                                   {Scheme::gear5, "gear5"}};
 };
 
 struct IntegratorOptions {
@@ -99,21 +105,31 @@ struct IntegratorOptions {
 
   template <class V>
   void describe(V& v) {
-    v.option("scheme", scheme, {.text = "velocity Verlet, or the 5-value Gear predictor-corrector", .source = "S1 App. A"});
+    v.option("scheme", scheme,
+             {.text = "velocity Verlet, or the 5-value Gear predictor-corrector", .source = "S1 App. A"});
     v.option("step", step, {.text = "time step", .unit = "tau_c", .min = 0, .max = 0.2, .above_min = true});
   }
 };
 
 struct StartOptions {
+  double packing_fraction = 0.6;
   double gap = 0.01;
   double speed = 0.05;
 
   template <class V>
   void describe(V& v) {
-    v.option("gap", gap, {.text = "free distance between the largest neighbours on the start lattice", .unit = "d",
-                          .min = 0, .max = 10});
-    v.option("speed", speed, {.text = "velocity components are uniform in (-speed, speed)", .unit = "d/tau_c", .min = 0,
-                              .max = 10});
+    v.option("packing_fraction", packing_fraction,
+             {.text = "packing fraction of the start lattice; less where the largest grains need more room",
+              .min = 0,
+              .max = 1,
+              .above_min = true});
+    v.option("gap", gap,
+             {.text = "free distance between the largest neighbours on the start lattice",
+              .unit = "d",
+              .min = 0,
+              .max = 10});
+    v.option("speed", speed,
+             {.text = "velocity components are uniform in (-speed, speed)", .unit = "d/tau_c", .min = 0, .max = 10});
   }
 };
 
@@ -137,10 +153,15 @@ struct StageOptions {
     v.option("name", name, {.text = "name of the stage in the tables; its kind and number when empty"});
     v.option("kind", kind, {.text = "what is done: compress moves all walls inward at constant speed"});
     v.option("to", to, {.text = "packing fraction at which the stage ends", .min = 0, .max = 2, .above_min = true});
-    v.option("speed", speed, {.text = "speed of each wall", .unit = "d/tau_c", .min = 0, .max = 1, .above_min = true,
-                              .source = "S1 App. A"});
-    v.option("frames", frames, {.text = "number of frames, evenly spaced in packing fraction, both ends included", .min = 0,
-                                .max = 1e6});
+    v.option("speed", speed,
+             {.text = "speed of each wall",
+              .unit = "d/tau_c",
+              .min = 0,
+              .max = 1,
+              .above_min = true,
+              .source = "S1 App. A"});
+    v.option("frames", frames,
+             {.text = "number of frames, evenly spaced in packing fraction, both ends included", .min = 0, .max = 1e6});
     v.option("frames_at", frames_at, {.text = "packing fractions of further frames", .min = 0, .max = 2});
   }
 };

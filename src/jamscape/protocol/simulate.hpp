@@ -3,11 +3,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "jamscape/base/archive.hpp"
+#include "jamscape/dem/diverged.hpp"
 #include "jamscape/packing/packing.hpp"
 #include "jamscape/protocol/options.hpp"
 
@@ -31,8 +31,8 @@ struct PlannedFrame {
 };
 
 struct Plan {
-  std::int64_t steps = 0;      ///< of the whole protocol
-  std::int64_t bodies = 0;     ///< grains
+  std::int64_t steps = 0;   ///< of the whole protocol
+  std::int64_t bodies = 0;  ///< grains
   std::vector<PlannedFrame> frames;
 };
 
@@ -61,13 +61,6 @@ struct Hooks {
 };
 
 enum class Outcome { finished, stopped };
-
-/// A simulation that left the sane: an overlap beyond half a radius, or a number that is none.
-/// what() names the step, the grain, its place, and the likely cause.
-class Diverged : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Throws Diverged, and whatever a hook throws. `from` continues a simulation with the same bits as if it had never
 /// been stopped; it throws a data error if it is not of this system.

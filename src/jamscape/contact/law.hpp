@@ -1,0 +1,148 @@
+// The force of one contact as a pure function of a few numbers (scalars T: double, or SIMD lanes of doubles).
+//
+//   n            unit normal from i to j;  x > 0 overlap;  v = v_i - v_j;  v_n = -(v.n) speed of separation
+//   normal       F_n = s(x) (k_n x - gamma_n mbar v_n),      s = 1 (linear) or sqrt(x) (Hertz)      [S1 App. A; S2 Eq.
+//   1] tangential   v_t = v - n (v.n) + (l_i w_i + l_j w_j) x n,   xi += v_t dt,   xi -= n (n.xi)
+//                F* = -s(x) (k_t xi + gamma_t mbar v_t),   cut at |F*| = mu |F_n|, xi then reset so that F* is the cut
+//                force
+//   forces       on i: -F_n n + f_t,  on j the opposite;   torque on i: l_i n x f_t,  on j: l_j n x f_t
+//
+// l is the lever arm R (or R - x/2). In two dimensions spins, springs and tangential forces are scalars: spins about z,
+// springs and forces along t = (-n_y, n_x); turning with the contact replaces the projection of xi, which it equals in
+// the limit of small steps. Masses, lengths, times in the study's units. Range: x small against the radii.
+#pragma once
+
+#include <limits>
+
+#include "jamscape/contact/options.hpp"
+#include "jamscape/geometry/scalar.hpp"
+#include "jamscape/geometry/vec.hpp"
+
+namespace jam {
+
+/// Constants of the law for one pair of materials.
+template <class T = double>
+struct PairLaw {
+  T k_n, gamma_n, k_t, gamma_t;
+  T inverse_k_t;  ///< 0 where k_t is 0
+  T mu;
+  T lever_cut;      ///< lever arm = R - lever_cut x: 0 or 1/2
+  T floor;          ///< smallest normal force: -infinity (unclipped) or 0 (clipped)
+  T damping_limit;  ///< F_n = 0 where |dashpot| > damping_limit |spring|: infinity, or 1 (the rule printed in S2)
+
+  template <class U>
+  JAM_INLINE PairLaw<U> as() const {
+    return {U(k_n), U(gamma_n), U(k_t), U(gamma_t), U(inverse_k_t), U(mu), U(lever_cut), U(floor), U(damping_limit)};
+  }
+};
+
+/// A quantity of rotation or of the tangential plane: a scalar in two dimensions, a vector in three.
+template <int D, class T>
+struct AxialOf {
+  using type = Vec<3, T>;
+};
+template <class T>
+struct AxialOf<2, T> {
+  using type = T;
+};
+template <int D, class T = double>
+using Axial = typename AxialOf<D, T>::type;
+
+template <int D, class T>
+struct TouchForce {
+  T normal;                ///< F_n
+  Axial<D, T> tangential;  ///< f_t on i: along t (2D), or the vector (3D)
+  T damped;                ///< power taken by the dashpots (the tangential one while the contact sticks)
+  T rubbed;                ///< energy taken by friction in this step: all that a sliding contact takes tangentially
+};
+
+/// s(x) of the normal law.
+template <NormalLaw law, class T>
+JAM_INLINE T shape(T x) {
+  if constexpr (law == NormalLaw::hertz)
+    return square_root(x);
+  else
+    return T(1.0);
+}
+
+/// Elastic energy of the normal spring: k x^2/2 (linear), 2/5 k x^(5/2) (Hertz).
+template <NormalLaw law>
+double normal_energy(double k_n, double x) {
+  if constexpr (law == NormalLaw::hertz)
+    return 0.4 * k_n * x * x * square_root(x);
+  else
+    return 0.5 * k_n * x * x;
+}
+
+/// The normal force alone, and the power of its dashpot.
+template <NormalLaw law, class T>
+JAM_INLINE T normal_force(const PairLaw<T>& c, T x, T mbar, T v_n, T s) {
+  const T spring = c.k_n * x, dashpot = c.gamma_n * mbar * v_n;
+  T force = spring - dashpot;
+  if constexpr (law == NormalLaw::hertz) force = s * force;
+  force = larger(force, c.floor);
+  return select(magnitude(dashpot) > c.damping_limit * spring, T(0.0), force);
+}
+
+/// Forces of a contact; `spring` is advanced by v_t dt and reset at the Coulomb limit.
+/// `lw` = l_i w_i + l_j w_j.
+template <int D, NormalLaw law, bool friction, class T>
+JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, T mbar, const Vec<D, T>& v,
+                                  const Axial<D, T>& lw, Axial<D, T>& spring, T dt) {
+  TouchForce<D, T> out;
+  const T s = shape<law>(x), approach = dot(v, n), v_n = -approach;
+  out.normal = normal_force<law>(c, x, mbar, v_n, s);
+  T elastic = c.k_n * x;
+  if constexpr (law == NormalLaw::hertz) elastic = s * elastic;
+  out.damped = (elastic - out.normal) * v_n;
+  out.rubbed = T(0.0);
+  if constexpr (!friction) {
+    if constexpr (D == 2)
+      out.tangential = T(0.0);
+    else
+      out.tangential = {T(0.0), T(0.0), T(0.0)};
+    return out;
+  } else {
+    const T cap = c.mu * magnitude(out.normal), damping = c.gamma_t * mbar;
+    if constexpr (D == 2) {
+      const T v_t = n[0] * v[1] - n[1] * v[0] + lw;
+      const T trial = spring + v_t * dt, dashpot = damping * v_t;
+      T wanted = -(c.k_t * trial + dashpot);
+      if constexpr (law == NormalLaw::hertz) wanted = s * wanted;
+      const T force = larger(smaller(wanted, cap), -cap);
+      T unshaped = force;
+      if constexpr (law == NormalLaw::hertz) unshaped = force / s;
+      const auto slides = magnitude(wanted) > cap;
+      spring = select(slides, -(unshaped + dashpot) * c.inverse_k_t, trial);
+      T lost = T(0.5) * c.k_t * (trial * trial - spring * spring), dash_power = dashpot * v_t;
+      if constexpr (law == NormalLaw::hertz) lost = s * lost, dash_power = s * dash_power;
+      out.tangential = force;
+      out.rubbed = select(slides, lost + dash_power * dt, T(0.0));
+      out.damped = out.damped + select(slides, T(0.0), dash_power);
+    } else {
+      const Vec<3, T> v_t = v - approach * n + cross(lw, n);
+      Vec<3, T> trial = spring + dt * v_t;
+      trial = trial - dot(n, trial) * n;
+      const Vec<3, T> dashpot = damping * v_t;
+      Vec<3, T> wanted = T(-1.0) * (c.k_t * trial + dashpot);
+      if constexpr (law == NormalLaw::hertz) wanted = s * wanted;
+      const T size = square_root(dot(wanted, wanted));
+      const auto slides = size > cap;
+      const Vec<3, T> force = select(slides, cap / size, T(1.0)) * wanted;
+      T to_spring = c.inverse_k_t;
+      if constexpr (law == NormalLaw::hertz) to_spring = to_spring / s;
+      T shaped_damping = T(1.0);
+      if constexpr (law == NormalLaw::hertz) shaped_damping = s;
+      const Vec<3, T> reset = (-to_spring) * (force + shaped_damping * dashpot);
+      for (int k = 0; k < 3; ++k) spring[k] = select(slides, reset[k], trial[k]);
+      T lost = T(0.5) * c.k_t * (dot(trial, trial) - dot(spring, spring)), dash_power = dot(dashpot, v_t);
+      if constexpr (law == NormalLaw::hertz) lost = s * lost, dash_power = s * dash_power;
+      out.tangential = force;
+      out.rubbed = select(slides, lost + dash_power * dt, T(0.0));
+      out.damped = out.damped + select(slides, T(0.0), dash_power);
+    }
+    return out;
+  }
+}
+
+}  // namespace jam

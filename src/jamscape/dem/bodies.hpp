@@ -1,0 +1,46 @@
+// The bodies of a simulation: grains, then wall beads, then two far-away dummies that fill up the last block of pairs.
+// Grains are kept in spatial order; `id` says who is who.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "jamscape/dem/rows.hpp"
+#include "jamscape/geometry/vec.hpp"
+
+namespace jam {
+
+template <int D>
+struct Bodies {
+  std::size_t grains = 0, beads = 0;
+  // hot: every contact reads the rows, every step writes them
+  Aligned<double> rows;    ///< see Row<D>
+  Aligned<double> forces;  ///< cleared by the integrator
+  // warm: read by the integrator once a step
+  Aligned<double> inverse;      ///< inverse inertias, laid out like forces
+  Aligned<double> derivatives;  ///< Gear only: acceleration, jerk, snap a motion
+  // cold
+  std::vector<std::uint32_t> id;  ///< of grains; beads have id = index
+  std::vector<double> mass;       ///< of grains
+  std::vector<std::int32_t> species;
+
+  std::size_t count() const { return grains + beads; }
+  double* row(std::size_t k) { return rows.data() + k * Row<D>::stride; }
+  const double* row(std::size_t k) const { return rows.data() + k * Row<D>::stride; }
+  Vec<D> position(std::size_t k) const {
+    Vec<D> x;
+    for (int c = 0; c < D; ++c) x[c] = row(k)[c];
+    return x;
+  }
+  double radius(std::size_t k) const { return row(k)[Row<D>::radius]; }
+
+  /// Makes room for the given numbers of grains and beads, all zero, and places the dummies.
+  void resize(std::size_t grain_count, std::size_t bead_count, bool with_derivatives);
+  /// Grain k becomes the one that was at order[k].
+  void reorder(const std::vector<std::uint32_t>& order);
+};
+
+extern template struct Bodies<2>;
+extern template struct Bodies<3>;
+
+}  // namespace jam

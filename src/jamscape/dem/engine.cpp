@@ -1,0 +1,319 @@
+#include "jamscape/dem/engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "jamscape/base/error.hpp"
+
+namespace jam {
+namespace {
+
+/// Lists are made to last about this many steps at the present speed, within bounds in grain diameters: a wider skin
+/// lists more pairs that do not touch, a thinner one makes lists more often.
+constexpr double steps_per_list = 100, thinnest_skin = 0.02, widest_skin = 0.3;
+/// Grains are put back into spatial order at every so-manieth list.
+constexpr std::int64_t lists_per_order = 16;
+/// A simulation is given up when two bodies overlap by more than this part of the smaller radius. A grain pinned in the
+/// corner of two bead walls may reach half of it in earnest.
+constexpr double deepest_overlap = 1.0;
+
+double sum(const double (&slots)[block]) {
+  double s = 0;
+  for (const double a : slots) s += a;
+  return s;
+}
+
+}  // namespace
+
+template <int D>
+Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
+    : kernels_(&kernels),
+      kind_(setup.kind),
+      grain_law_(setup.grain_law),
+      wall_law_(setup.wall_law),
+      scheme_(setup.scheme),
+      dt_(setup.dt),
+      walls_(setup.walls),
+      box_(setup.box) {
+  using R = Row<D>;
+  std::size_t beads = 0;
+  for (const auto& wall : walls_) {
+    first_bead_.push_back(setup.radius.size() + beads);
+    beads += wall.beads.size();
+  }
+  wall_force_.assign(walls_.size(), Vec<D>{});
+  bodies_.resize(setup.radius.size(), beads, scheme_ == Scheme::gear5);
+  double mean = 0;
+  smallest_ = setup.radius.empty() ? 0 : setup.radius[0];
+  for (std::size_t k = 0; k < setup.radius.size(); ++k) {
+    double* row = bodies_.row(k);
+    double* inverse = bodies_.inverse.data() + k * R::force_stride;
+    row[R::radius] = setup.radius[k];
+    for (std::size_t c = 0; c < D; ++c) {
+      row[c] = setup.position[k][static_cast<int>(c)];
+      row[R::velocity + c] = setup.velocity[k][static_cast<int>(c)];
+      inverse[c] = 1 / setup.mass[k];
+    }
+    if constexpr (D == 2) {
+      if (!setup.spin.empty()) row[R::spin] = setup.spin[k];
+      inverse[2] = 1 / setup.inertia[k];
+    } else {
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (!setup.spin.empty()) row[R::spin + c] = setup.spin[k][static_cast<int>(c)];
+        inverse[4 + c] = 1 / setup.inertia[k];
+      }
+    }
+    bodies_.mass[k] = setup.mass[k];
+    if (!setup.species.empty()) bodies_.species[k] = setup.species[k];
+    mean += 2 * setup.radius[k];
+    smallest_ = std::min(smallest_, setup.radius[k]);
+  }
+  if (!setup.radius.empty()) diameter_ = mean / static_cast<double>(setup.radius.size());
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    for (std::size_t b = 0; b < walls_[w].beads.size(); ++b) {
+      double* row = bodies_.row(first_bead_[w] + b);
+      for (int c = 0; c < D; ++c) row[c] = walls_[w].beads[b][c];
+      row[R::radius] = walls_[w].bead_radius;
+    }
+  for (std::size_t w = 0; w < walls_.size(); ++w) set_wall_velocity(w, walls_[w].velocity);
+  shifts_ = image_shifts<D>(box_);
+
+  // Start in step: the given velocities belong to time zero.
+  const double dt = dt_;
+  dt_ = 0;
+  compute_forces();
+  dt_ = dt;
+  for (std::size_t k = 0; k < bodies_.grains; ++k)
+    for (int m = 0; m < R::motions; ++m)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t at = k * R::force_stride + 4 * static_cast<std::size_t>(m) + c;
+        const double a = bodies_.forces[at] * bodies_.inverse[at];
+        if (scheme_ == Scheme::verlet)
+          bodies_.row(k)[R::velocity_of(m) + c] -= a * (dt_ / 2);
+        else
+          bodies_.derivatives[(k * R::motions + static_cast<std::size_t>(m)) * 12 + c] = a;
+      }
+  std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
+  std::fill(wall_force_.begin(), wall_force_.end(), Vec<D>{});
+  damped_ = rubbed_ = wall_work_ = 0;
+}
+
+template <int D>
+void Engine<D>::set_wall_velocity(std::size_t w, double velocity) {
+  walls_[w].velocity = velocity;
+  for (std::size_t b = 0; b < walls_[w].beads.size(); ++b)
+    bodies_.row(first_bead_[w] + b)[Row<D>::velocity + static_cast<std::size_t>(walls_[w].axis)] = velocity;
+}
+
+template <int D>
+void Engine<D>::relist() {
+  using R = Row<D>;
+  check();
+  double speed2 = 0;
+  for (std::size_t k = 0; k < bodies_.count(); ++k) {
+    double* row = bodies_.row(k);
+    double v2 = 0;
+    for (std::size_t c = 0; c < D; ++c) {
+      v2 += row[R::velocity + c] * row[R::velocity + c];
+      if (box_.length[c] > 0 && k < bodies_.grains)
+        row[c] -= box_.length[c] * std::floor((row[c] - box_.lo[c]) / box_.length[c]);
+    }
+    speed2 = std::max(speed2, v2);
+  }
+  const std::vector<std::uint32_t> old_id = bodies_.id;
+  std::vector<Axial<D>> plane_spring(walls_.size() * bodies_.grains, Axial<D>{});
+  for (std::size_t q = 0; q < plane_grain_.size(); ++q)
+    plane_spring[plane_wall_[q] * bodies_.grains + old_id[plane_grain_[q]]] = plane_spring_[q];
+
+  if (lists_++ % lists_per_order == 0) bodies_.reorder(spatial_order(bodies_));
+  skin_ = std::clamp(2 * std::sqrt(speed2) * dt_ * steps_per_list, thinnest_skin * diameter_, widest_skin * diameter_);
+  pairs_ = list_pairs<D>(bodies_, box_, skin_, pairs_, old_id);
+
+  plane_grain_.clear(), plane_wall_.clear(), plane_spring_.clear();
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    if (walls_[w].kind != WallKind::plane) continue;
+    const double sign = walls_[w].high ? -1.0 : 1.0;
+    for (std::size_t k = 0; k < bodies_.grains; ++k) {
+      const double gap = sign * (bodies_.row(k)[walls_[w].axis] - walls_[w].position) - bodies_.radius(k);
+      if (gap >= skin_) continue;
+      plane_grain_.push_back(static_cast<std::uint32_t>(k));
+      plane_wall_.push_back(static_cast<std::uint32_t>(w));
+      plane_spring_.push_back(plane_spring[w * bodies_.grains + bodies_.id[k]]);
+    }
+  }
+  moved_ = 0;
+  stale_ = false;
+}
+
+template <int D>
+void Engine<D>::compute_forces() {
+  if (stale_) relist();
+  for (auto* slots : {&tally_.damped, &tally_.rubbed, &tally_.virial})
+    std::fill(std::begin(*slots), std::end(*slots), 0.0);
+  PairArrays p{bodies_.rows.data(),
+               bodies_.forces.data(),
+               pairs_.i.data(),
+               pairs_.j.data(),
+               pairs_.mbar.data(),
+               pairs_.springs.data(),
+               nullptr,
+               shifts_.data(),
+               dt_,
+               &tally_};
+  for (int kind = 0; kind < pair_kinds; ++kind) {
+    const auto k = static_cast<std::size_t>(kind);
+    const PairLaw<>& law = kind == static_cast<int>(PairKind::bead) ? wall_law_ : grain_law_;
+    p.shift = kind == static_cast<int>(PairKind::across) ? pairs_.shift.data() : nullptr;
+    kernels_->template pairs<D>()(p, {pairs_.start[k], pairs_.start[k + 1], law, kind_, law.mu > 0});
+  }
+  touch_planes();
+  collect_walls();
+  damped_ += sum(tally_.damped) * dt_;
+  rubbed_ += sum(tally_.rubbed);
+  if (box_speed_ != 0) wall_work_ += 2 * box_speed_ * dt_ / box_.length[0] * sum(tally_.virial);
+}
+
+template <int D>
+void Engine<D>::touch_planes() {
+  using R = Row<D>;
+  for (std::size_t q = 0; q < plane_grain_.size(); ++q) {
+    const std::size_t k = plane_grain_[q], w = plane_wall_[q];
+    const EngineWall<D>& wall = walls_[w];
+    const double* row = bodies_.row(k);
+    const double sign = wall.high ? -1.0 : 1.0, distance = sign * (row[wall.axis] - wall.position);
+    const double x = row[R::radius] - distance;
+    Axial<D>& spring = plane_spring_[q];
+    if (!(x > 0)) {
+      if constexpr (D == 2)
+        tally_.rubbed[0] += 0.5 * wall_law_.k_t * spring * spring;
+      else
+        tally_.rubbed[0] += 0.5 * wall_law_.k_t * dot(spring, spring);
+      spring = Axial<D>{};
+      continue;
+    }
+    Vec<D> n{}, v;
+    n[wall.axis] = -sign;
+    for (int c = 0; c < D; ++c) v[c] = row[R::velocity + static_cast<std::size_t>(c)];
+    v[wall.axis] -= wall.velocity;
+    const double lever = row[R::radius] - wall_law_.lever_cut * x;
+    double* f = bodies_.forces.data() + k * R::force_stride;
+    auto apply = [&]<NormalLaw law>() {
+      Axial<D> lw;
+      if constexpr (D == 2)
+        lw = lever * row[R::spin];
+      else
+        lw = {lever * row[R::spin], lever * row[R::spin + 1], lever * row[R::spin + 2]};
+      const auto t = touch<D, law, true>(wall_law_, n, x, bodies_.mass[k], v, lw, spring, dt_);
+      Vec<D> force;
+      if constexpr (D == 2) {
+        force = {-t.normal * n[0] - t.tangential * n[1], -t.normal * n[1] + t.tangential * n[0]};
+        f[2] += lever * t.tangential;
+      } else {
+        force = (-t.normal) * n + t.tangential;
+        const Vec<3> twist = cross(n, t.tangential);
+        for (int c = 0; c < 3; ++c) f[4 + c] += lever * twist[c];
+      }
+      for (int c = 0; c < D; ++c) f[c] += force[c];
+      wall_force_[w] -= force;
+      tally_.damped[0] += t.damped;
+      tally_.rubbed[0] += t.rubbed;
+      tally_.deepest[0] = larger(tally_.deepest[0], x);
+    };
+    kind_ == NormalLaw::linear ? apply.template operator()<NormalLaw::linear>()
+                               : apply.template operator()<NormalLaw::hertz>();
+  }
+}
+
+template <int D>
+void Engine<D>::collect_walls() {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    Vec<D>& force = wall_force_[w];
+    for (std::size_t b = first_bead_[w]; b < first_bead_[w] + walls_[w].beads.size(); ++b)
+      for (int c = 0; c < D; ++c) force[c] += bodies_.forces[b * Row<D>::force_stride + static_cast<std::size_t>(c)];
+    wall_work_ -= force[walls_[w].axis] * walls_[w].velocity * dt_;
+  }
+}
+
+template <int D>
+void Engine<D>::advance() {
+  BodyArrays b{bodies_.rows.data(),
+               bodies_.forces.data(),
+               bodies_.inverse.data(),
+               bodies_.derivatives.data(),
+               bodies_.count(),
+               dt_,
+               {}};
+  (scheme_ == Scheme::verlet ? kernels_->template verlet<D>() : kernels_->template gear<D>())(b);
+  double speed2 = b.fastest[0] + b.fastest[1];  // in two dimensions the third component is the spin
+  if constexpr (D == 3) speed2 += b.fastest[2];
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    walls_[w].position += walls_[w].velocity * dt_;
+    wall_force_[w] = Vec<D>{};
+  }
+  if (box_speed_ != 0) shrink_box();
+  // Gear moves by v dt + a dt^2/2 + ...: the larger of the speeds before and after, and a little more, bounds it
+  moved_ += 1.02 * std::sqrt(speed2) * dt_;
+  stale_ = stale_ || !(2 * moved_ < skin_);
+  ++step_;
+  if (step_ % 64 == 0) {
+    double deepest = 0;
+    for (double& d : tally_.deepest) deepest = std::max(deepest, d), d = 0;
+    if (deepest > deepest_overlap * smallest_ || step_ % 1024 == 0) check();
+  }
+}
+
+template <int D>
+void Engine<D>::shrink_box() {
+  double strain = 0;
+  for (std::size_t c = 0; c < D; ++c) {
+    const double length = box_.length[c] - 2 * box_speed_ * dt_, factor = length / box_.length[c];
+    for (std::size_t k = 0; k < bodies_.grains; ++k) {
+      double& x = bodies_.row(k)[c];
+      x = box_.lo[c] + (x - box_.lo[c]) * factor;
+    }
+    box_.length[c] = length;
+    strain = std::max(strain, std::abs(1 - factor));
+  }
+  shifts_ = image_shifts<D>(box_);
+  moved_ += strain * diameter_;
+}
+
+template <int D>
+void Engine<D>::run(std::int64_t n) {
+  for (; n > 0; --n) {
+    compute_forces();
+    advance();
+  }
+}
+
+template <int D>
+void Engine<D>::check() const {
+  for (std::size_t k = 0; k < bodies_.count(); ++k)
+    for (std::size_t c = 0; c < Row<D>::stride; ++c)
+      if (!std::isfinite(bodies_.row(k)[c])) fail(k, "has a position or velocity that is not a number");
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (pairs_.i[k] >= bodies_.grains) continue;
+    Vec<D> d = bodies_.position(pairs_.j[k]) - bodies_.position(pairs_.i[k]);
+    for (int c = 0; c < D; ++c) d[c] += shifts_[4 * pairs_.shift[k] + static_cast<std::size_t>(c)];
+    const double overlap = bodies_.radius(pairs_.i[k]) + bodies_.radius(pairs_.j[k]) - norm(d);
+    if (overlap > deepest_overlap * std::min(bodies_.radius(pairs_.i[k]), bodies_.radius(pairs_.j[k])))
+      fail(pairs_.i[k], "overlaps its neighbour by " + std::to_string(overlap) + ", more than a radius");
+  }
+}
+
+template <int D>
+void Engine<D>::fail(std::size_t body, const std::string& problem) const {
+  std::string place;
+  for (int c = 0; c < D; ++c) place += (c ? ", " : "") + std::to_string(bodies_.row(body)[c]);
+  throw Diverged("step " + std::to_string(step_) + ": " +
+                 (body < bodies_.grains ? "grain " + std::to_string(bodies_.id[body])
+                                        : "wall bead " + std::to_string(body - bodies_.grains)) +
+                 " at (" + place + ") " + problem +
+                 "; likely the time step is too long for the stiffness, or the walls are too fast");
+}
+
+template class Engine<2>;
+template class Engine<3>;
+
+}  // namespace jam

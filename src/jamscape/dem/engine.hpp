@@ -1,0 +1,118 @@
+// One simulation in motion: bodies, pair list, walls and the clock. A step is
+//
+//   compute_forces()   forces at the present positions; after it record() shows this instant
+//   advance()          integrates to the next
+//
+// Energies are booked as they go, so that the ledger of a record closes to the integrator's order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "jamscape/base/archive.hpp"
+#include "jamscape/contact/law.hpp"
+#include "jamscape/dem/bodies.hpp"
+#include "jamscape/dem/diverged.hpp"
+#include "jamscape/dem/kernel.hpp"
+#include "jamscape/dem/pair_list.hpp"
+#include "jamscape/dem/scheme.hpp"
+#include "jamscape/packing/packing.hpp"
+
+namespace jam {
+
+/// A wall across one axis: a plane, or a row of beads that moves as one piece along its normal.
+template <int D>
+struct EngineWall {
+  WallKind kind = WallKind::plane;
+  int axis = 0;
+  bool high = false;    ///< at the upper end of the axis: its normal points down the axis
+  double position = 0;  ///< of the plane, or of the bead centres
+  double velocity = 0;  ///< along the axis
+  double bead_radius = 0;
+  std::vector<Vec<D>> beads;  ///< at the start
+};
+
+/// What an engine is made of. Arrays by grain id.
+template <int D>
+struct EngineSetup {
+  std::vector<double> radius, mass, inertia;
+  std::vector<std::int32_t> species;
+  std::vector<Vec<D>> position, velocity;
+  std::vector<Axial<D>> spin;  ///< empty: at rest
+  std::vector<EngineWall<D>> walls;
+  Periodic<D> box;
+  NormalLaw kind = NormalLaw::linear;
+  PairLaw<> grain_law{}, wall_law{};
+  Scheme scheme = Scheme::verlet;
+  double dt = 0.02;
+};
+
+template <int D>
+class Engine {
+ public:
+  explicit Engine(const EngineSetup<D>& setup, const Kernels& kernels = best_kernels());
+
+  /// Forces at the present positions and half-step (Verlet) or predicted (Gear) velocities. Throws Diverged.
+  void compute_forces();
+  /// Moves bodies and walls by one time step.
+  void advance();
+  /// `n` whole steps; the state then awaits compute_forces().
+  void run(std::int64_t n);
+
+  /// This instant in full, between compute_forces() and advance(). Checks the contacts against the forces just summed.
+  Packing record() const;
+
+  std::int64_t step() const { return step_; }
+  double time() const { return static_cast<double>(step_) * dt_; }
+  std::size_t grains() const { return bodies_.grains; }
+  const std::vector<EngineWall<D>>& walls() const { return walls_; }
+  const Periodic<D>& box() const { return box_; }
+  void set_wall_velocity(std::size_t wall, double velocity);
+  /// A periodic box shortens by 2 `speed` a unit of time in every direction, and the grains' positions with it.
+  void set_box_speed(double speed) { box_speed_ = speed; }
+  /// Finds numbers that are none; throws Diverged.
+  void check() const;
+
+  /// Everything that determines what follows, bit for bit.
+  void save(Archive& archive) const;
+  /// Into an engine of the same setup; throws a data error if the archive is of another.
+  void load(const Archive& archive);
+
+ private:
+  void relist();
+  void touch_planes();
+  void collect_walls();
+  void shrink_box();
+  [[noreturn]] void fail(std::size_t body, const std::string& problem) const;
+
+  const Kernels* kernels_;
+  NormalLaw kind_;
+  PairLaw<> grain_law_, wall_law_;
+  Scheme scheme_;
+  double dt_, smallest_ = 0, diameter_ = 1;
+
+  Bodies<D> bodies_;
+  std::vector<EngineWall<D>> walls_;
+  std::vector<std::size_t> first_bead_;  ///< of each wall, a body index
+  std::vector<Vec<D>> wall_force_;       ///< of the last compute_forces()
+  Periodic<D> box_;
+  double box_speed_ = 0;
+
+  PairList<D> pairs_;
+  Aligned<double> shifts_;
+  // plane contacts, by wall then grain
+  std::vector<std::uint32_t> plane_grain_, plane_wall_;
+  std::vector<Axial<D>> plane_spring_;
+
+  std::int64_t step_ = 0;
+  double skin_ = 0, moved_ = 0;  ///< moved_: no body has gone farther since the list was made
+  bool stale_ = true;
+  std::int64_t lists_ = 0;  ///< made so far; grains are reordered at some of them
+  double damped_ = 0, rubbed_ = 0, wall_work_ = 0;
+  Tally tally_{};
+};
+
+extern template class Engine<2>;
+extern template class Engine<3>;
+
+}  // namespace jam

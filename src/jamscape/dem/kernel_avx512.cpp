@@ -1,0 +1,14 @@
+// The passes for AVX-512; compiled with that instruction set, entered only where the processor has it.
+#include "jamscape/dem/kernel_wide.hpp"
+
+namespace jam {
+
+const Kernels& avx512_kernels();
+
+const Kernels& avx512_kernels() {
+  static constexpr Kernels kernels{
+      "avx512", HWY_NAMESPACE::pairs<2>, HWY_NAMESPACE::pairs<3>, verlet<2>, verlet<3>, gear<2>, gear<3>};
+  return kernels;
+}
+
+}  // namespace jam

@@ -1,0 +1,95 @@
+// One pair after another: the reference.
+#include "jamscape/dem/integrate_body.hpp"
+#include "jamscape/dem/kernel.hpp"
+
+namespace jam {
+namespace {
+
+template <int D>
+Axial<D> levered(const double* row, double lever) {
+  if constexpr (D == 2)
+    return lever * row[Row<D>::spin];
+  else
+    return {lever * row[Row<D>::spin], lever * row[Row<D>::spin + 1], lever * row[Row<D>::spin + 2]};
+}
+
+template <int D, NormalLaw law, bool friction>
+void pair_loop(const PairArrays& p, const PairRange& range) {
+  using R = Row<D>;
+  for (std::size_t k = range.begin; k < range.end; ++k) {
+    const double* a = p.rows + p.i[k] * R::stride;
+    const double* b = p.rows + p.j[k] * R::stride;
+    const std::size_t slot = k % block;
+    double* stored = p.springs + (D == 2 ? k : (k - slot) * 3 + slot);
+    Axial<D> spring;
+    if constexpr (D == 2)
+      spring = stored[0];
+    else
+      spring = {stored[0], stored[block], stored[2 * block]};
+
+    Vec<D> d, v;
+    for (int c = 0; c < D; ++c) {
+      const double shift = p.shift ? p.shifts[4 * p.shift[k] + static_cast<std::size_t>(c)] : 0.0;
+      d[c] = (p.shift ? b[c] + shift : b[c]) - a[c];
+      v[c] = a[R::velocity + static_cast<std::size_t>(c)] - b[R::velocity + static_cast<std::size_t>(c)];
+    }
+    const double reach = a[R::radius] + b[R::radius], r2 = dot(d, d);
+    if (!(r2 < reach * reach)) {
+      if constexpr (friction) {
+        if constexpr (D == 2) {
+          p.tally->rubbed[slot] += 0.5 * range.law.k_t * (spring * spring);
+          stored[0] = 0;
+        } else {
+          p.tally->rubbed[slot] += 0.5 * range.law.k_t * dot(spring, spring);
+          stored[0] = stored[block] = stored[2 * block] = 0;
+        }
+      }
+      continue;
+    }
+    const double r = square_root(r2), inverse = 1.0 / r, x = reach - r;
+    const Vec<D> n = inverse * d;
+    const double lever_i = a[R::radius] - range.law.lever_cut * x, lever_j = b[R::radius] - range.law.lever_cut * x;
+    const Axial<D> lw = levered<D>(a, lever_i) + levered<D>(b, lever_j);
+    const auto f = touch<D, law, friction>(range.law, n, x, p.mbar[k], v, lw, spring, p.dt);
+    p.tally->damped[slot] += f.damped;
+    p.tally->rubbed[slot] += f.rubbed;
+    p.tally->virial[slot] += f.normal * r;
+    p.tally->deepest[slot] = larger(p.tally->deepest[slot], x);
+
+    double* fi = p.forces + p.i[k] * R::force_stride;
+    double* fj = p.forces + p.j[k] * R::force_stride;
+    if constexpr (D == 2) {
+      const double push = -f.normal;
+      const double fx = push * n[0] - f.tangential * n[1], fy = push * n[1] + f.tangential * n[0];
+      fi[0] += fx, fi[1] += fy, fi[2] += lever_i * f.tangential;
+      fj[0] -= fx, fj[1] -= fy, fj[2] += lever_j * f.tangential;
+      if constexpr (friction) stored[0] = spring;
+    } else {
+      const Vec<3> total = (-f.normal) * n + f.tangential, twist = cross(n, f.tangential);
+      for (int c = 0; c < 3; ++c) {
+        fi[c] += total[c];
+        fi[4 + c] += lever_i * twist[c];
+        fj[c] -= total[c];
+        fj[4 + c] += lever_j * twist[c];
+        if constexpr (friction) stored[static_cast<std::size_t>(c) * block] = spring[c];
+      }
+    }
+  }
+}
+
+template <int D>
+void pairs(const PairArrays& p, const PairRange& range) {
+  if (range.kind == NormalLaw::linear)
+    range.friction ? pair_loop<D, NormalLaw::linear, true>(p, range) : pair_loop<D, NormalLaw::linear, false>(p, range);
+  else
+    range.friction ? pair_loop<D, NormalLaw::hertz, true>(p, range) : pair_loop<D, NormalLaw::hertz, false>(p, range);
+}
+
+}  // namespace
+
+const Kernels& plain_kernels() {
+  static const Kernels kernels{"plain", pairs<2>, pairs<3>, verlet<2>, verlet<3>, gear<2>, gear<3>};
+  return kernels;
+}
+
+}  // namespace jam

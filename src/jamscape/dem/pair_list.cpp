@@ -1,0 +1,271 @@
+#include "jamscape/dem/pair_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "jamscape/base/error.hpp"
+
+namespace jam {
+namespace {
+
+constexpr std::size_t tile = 64;
+
+template <int D>
+constexpr std::uint32_t images = D == 2 ? 9 : 27;
+
+/// Bodies sorted into cubic cells, as index ranges.
+template <int D>
+struct Grid {
+  std::array<double, D> lo{}, inverse{};
+  std::array<int, D> cells{};
+  std::array<bool, D> periodic{};
+  std::vector<std::uint32_t> first, body;
+
+  Grid(const Bodies<D>& bodies, const Periodic<D>& box, double least) {
+    for (int c = 0; c < D; ++c) {
+      const auto e = static_cast<std::size_t>(c);
+      double length = box.length[e];
+      periodic[e] = length > 0;
+      if (periodic[e]) {
+        lo[e] = box.lo[e];
+      } else {
+        double hi = lo[e] = bodies.row(0)[c];
+        for (std::size_t k = 1; k < bodies.count(); ++k) {
+          lo[e] = std::min(lo[e], bodies.row(k)[c]);
+          hi = std::max(hi, bodies.row(k)[c]);
+        }
+        length = std::max(hi - lo[e], least);
+      }
+      cells[e] = std::clamp(static_cast<int>(length / least), 1, 4096);
+      if (periodic[e] && cells[e] < 3)
+        throw usage_error("the periodic box is less than three grain diameters wide", {}, "more grains, or walls");
+      inverse[e] = cells[e] / length;
+    }
+    const std::size_t total = std::accumulate(cells.begin(), cells.end(), std::size_t{1},
+                                              [](std::size_t a, int b) { return a * static_cast<std::size_t>(b); });
+    first.assign(total + 1, 0);
+    std::vector<std::uint32_t> cell(bodies.count());
+    for (std::size_t k = 0; k < bodies.count(); ++k) ++first[(cell[k] = index(coordinates(bodies.row(k)))) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    body.resize(bodies.count());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::size_t k = 0; k < bodies.count(); ++k) body[next[cell[k]]++] = static_cast<std::uint32_t>(k);
+  }
+
+  std::array<int, D> coordinates(const double* x) const {
+    std::array<int, D> at;
+    for (std::size_t e = 0; e < D; ++e)
+      at[e] = std::clamp(static_cast<int>((x[e] - lo[e]) * inverse[e]), 0, cells[e] - 1);
+    return at;
+  }
+  std::uint32_t index(const std::array<int, D>& at) const {
+    std::size_t n = 0;
+    for (std::size_t e = D; e-- > 0;) n = n * static_cast<std::size_t>(cells[e]) + static_cast<std::size_t>(at[e]);
+    return static_cast<std::uint32_t>(n);
+  }
+};
+
+struct Found {
+  std::uint32_t j, shift;
+  bool touching;
+};
+
+/// The springs of an old list by the ids of their grains.
+template <int D>
+class Springs {
+ public:
+  Springs(const PairList<D>& old, const std::vector<std::uint32_t>& id, std::size_t grains) : old_(old) {
+    first_.assign(grains + 1, 0);
+    auto name = [&](std::uint32_t k) { return k < grains ? id[k] : k; };
+    std::vector<std::size_t> held;
+    for (std::size_t k = 0; k < old.size(); ++k) {
+      bool any = false;
+      for (std::size_t c = 0; c < PairList<D>::spring_size; ++c) any |= old.spring(k)[c * block] != 0;
+      if (!any) continue;
+      held.push_back(k);
+      ++first_[name(old.i[k]) + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    partner_.resize(held.size());
+    pair_.resize(held.size());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const std::size_t k : held) {
+      const std::uint32_t at = next[name(old.i[k])]++;
+      partner_[at] = name(old.j[k]);
+      pair_[at] = k;
+    }
+  }
+
+  /// Copies the spring of the pair (a, b) of ids, if there is one, into `to` (stride `block`).
+  void fetch(std::uint32_t a, std::uint32_t b, double* to) const {
+    if (!copy(a, b, 1.0, to) && b + 1 < first_.size()) copy(b, a, D == 2 ? 1.0 : -1.0, to);
+  }
+
+ private:
+  bool copy(std::uint32_t a, std::uint32_t b, double sign, double* to) const {
+    for (std::uint32_t q = first_[a]; q < first_[a + 1]; ++q)
+      if (partner_[q] == b) {
+        for (std::size_t c = 0; c < PairList<D>::spring_size; ++c)
+          to[c * block] = sign * old_.spring(pair_[q])[c * block];
+        return true;
+      }
+    return false;
+  }
+
+  const PairList<D>& old_;
+  std::vector<std::uint32_t> first_, partner_;
+  std::vector<std::size_t> pair_;
+};
+
+/// Appends the pairs of one kind, tile by tile.
+template <int D>
+void append(PairList<D>& list, const std::vector<std::uint32_t>& first, const std::vector<Found>& found,
+            std::size_t grains) {
+  for (std::size_t from = 0; from < grains; from += tile) {
+    const std::size_t to = std::min(grains, from + tile);
+    for (const bool touching : {true, false}) {
+      std::array<std::uint32_t, tile> next;
+      for (std::size_t a = from; a < to; ++a) next[a - from] = first[a];
+      for (bool more = true; more;) {
+        more = false;
+        for (std::size_t a = from; a < to; ++a) {
+          std::uint32_t& q = next[a - from];
+          while (q < first[a + 1] && found[q].touching != touching) ++q;
+          if (q == first[a + 1]) continue;
+          more = true;
+          list.i.push_back(static_cast<std::uint32_t>(a));
+          list.j.push_back(found[q].j);
+          list.shift.push_back(found[q].shift);
+          ++q;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+template <int D>
+Aligned<double> image_shifts(const Periodic<D>& box) {
+  Aligned<double> rows(images<D> * 4, 0.0);
+  for (std::uint32_t s = 0; s < images<D>; ++s) {
+    const auto image = image_of<D>(s);
+    for (std::size_t e = 0; e < D; ++e) rows[4 * s + e] = image[e] * box.length[e];
+  }
+  return rows;
+}
+
+template <int D>
+std::array<std::int8_t, 3> image_of(std::uint32_t shift) {
+  std::array<std::int8_t, 3> image{};
+  for (std::size_t e = 0; e < D; ++e, shift /= 3) image[e] = static_cast<std::int8_t>(static_cast<int>(shift % 3) - 1);
+  return image;
+}
+
+template <int D>
+PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double skin, const PairList<D>& old,
+                       const std::vector<std::uint32_t>& old_id) {
+  double widest = 0;
+  for (std::size_t k = 0; k < bodies.count(); ++k) widest = std::max(widest, bodies.radius(k));
+  const Grid<D> grid(bodies, box, 2 * widest + skin);
+  const Aligned<double> shifts = image_shifts<D>(box);
+
+  std::array<std::vector<std::uint32_t>, pair_kinds> first;
+  std::array<std::vector<Found>, pair_kinds> found;
+  for (auto& f : first) f.assign(1, 0), f.reserve(bodies.grains + 1);
+  for (std::size_t a = 0; a < bodies.grains; ++a) {
+    const double* x = bodies.row(a);
+    const auto at = grid.coordinates(x);
+    for (std::uint32_t s = 0; s < images<D>; ++s) {
+      auto step = image_of<D>(s);
+      std::array<int, D> cell;
+      std::uint32_t shift = 0, weight = 1;
+      bool outside = false;
+      for (std::size_t e = 0; e < D; ++e, weight *= 3) {
+        cell[e] = at[e] + step[e];
+        std::uint32_t image = 1;
+        if (cell[e] < 0 || cell[e] >= grid.cells[e]) {
+          if (!grid.periodic[e]) outside = true;
+          image = cell[e] < 0 ? 0 : 2;
+          cell[e] += cell[e] < 0 ? grid.cells[e] : -grid.cells[e];
+        }
+        shift += weight * image;
+      }
+      if (outside) continue;
+      const bool across = shift != (images<D> - 1) / 2;
+      const std::uint32_t c = grid.index(cell);
+      for (std::uint32_t q = grid.first[c]; q < grid.first[c + 1]; ++q) {
+        const std::uint32_t b = grid.body[q];
+        if (b <= a) continue;
+        const double* y = bodies.row(b);
+        double r2 = 0;
+        for (std::size_t e = 0; e < D; ++e) {
+          const double d = (y[e] + shifts[4 * shift + e]) - x[e];
+          r2 += d * d;
+        }
+        const double reach = x[Row<D>::radius] + y[Row<D>::radius];
+        if (r2 >= (reach + skin) * (reach + skin)) continue;
+        const PairKind kind = b >= bodies.grains ? PairKind::bead : across ? PairKind::across : PairKind::inner;
+        found[static_cast<std::size_t>(kind)].push_back({b, shift, r2 < reach * reach});
+      }
+    }
+    for (std::size_t kind = 0; kind < pair_kinds; ++kind)
+      first[kind].push_back(static_cast<std::uint32_t>(found[kind].size()));
+  }
+
+  PairList<D> list;
+  const std::size_t room = found[0].size() + found[1].size() + found[2].size() + 3 * block;
+  list.i.reserve(room), list.j.reserve(room), list.shift.reserve(room);
+  for (std::size_t kind = 0; kind < pair_kinds; ++kind) {
+    append<D>(list, first[kind], found[kind], bodies.grains);
+    while (list.i.size() % block) {
+      list.i.push_back(static_cast<std::uint32_t>(bodies.count()));
+      list.j.push_back(static_cast<std::uint32_t>(bodies.count() + 1));
+      list.shift.push_back((images<D> - 1) / 2);
+    }
+    list.start[kind + 1] = list.i.size();
+  }
+
+  list.mbar.assign(list.size(), 0.0);
+  list.springs.assign(list.size() * PairList<D>::spring_size, 0.0);
+  const Springs<D> springs(old, old_id, bodies.grains);
+  auto name = [&](std::uint32_t k) { return k < bodies.grains ? bodies.id[k] : k; };
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::uint32_t a = list.i[k], b = list.j[k];
+    if (a >= bodies.grains) continue;
+    list.mbar[k] =
+        b < bodies.grains ? bodies.mass[a] * bodies.mass[b] / (bodies.mass[a] + bodies.mass[b]) : bodies.mass[a];
+    springs.fetch(name(a), name(b), list.spring(k));
+  }
+  return list;
+}
+
+template <int D>
+std::vector<std::uint32_t> spatial_order(const Bodies<D>& bodies) {
+  double widest = 0;
+  for (std::size_t k = 0; k < bodies.grains; ++k) widest = std::max(widest, bodies.radius(k));
+  const Grid<D> grid(bodies, Periodic<D>{}, std::max(2 * widest, 1e-300));
+  std::vector<std::uint64_t> key(bodies.grains);
+  for (std::size_t k = 0; k < bodies.grains; ++k) {
+    const auto at = grid.coordinates(bodies.row(k));
+    for (int bit = 0; bit < 12; ++bit)
+      for (std::size_t e = 0; e < D; ++e)
+        key[k] |= static_cast<std::uint64_t>((at[e] >> bit) & 1) << (static_cast<std::size_t>(bit) * D + e);
+  }
+  std::vector<std::uint32_t> order(bodies.grains);
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+  return order;
+}
+
+#define JAM_INSTANTIATE(D)                                                                             \
+  template Aligned<double> image_shifts<D>(const Periodic<D>&);                                        \
+  template std::array<std::int8_t, 3> image_of<D>(std::uint32_t);                                      \
+  template PairList<D> list_pairs<D>(const Bodies<D>&, const Periodic<D>&, double, const PairList<D>&, \
+                                     const std::vector<std::uint32_t>&);                               \
+  template std::vector<std::uint32_t> spatial_order<D>(const Bodies<D>&);
+JAM_INSTANTIATE(2)
+JAM_INSTANTIATE(3)
+
+}  // namespace jam

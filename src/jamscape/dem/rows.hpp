@@ -1,0 +1,49 @@
+// Where a body's numbers lie. Everything the contact loop reads of a body is one row of whole cache lines, in pieces of
+// four doubles that load and transpose in registers:
+//
+//   2D, 64 bytes    x y angle radius | vx vy spin 0
+//   3D, 128 bytes   x y z radius | vx vy vz 0 | wx wy wz 0 | angles about x y z, 0
+//
+// A "motion" is a piece of positions with its piece of velocities: one in 2D, two in 3D. Forces and inverse inertias
+// have one piece a motion: (f_x f_y torque 0) and (1/m 1/m 1/I 0) in 2D. The zeros are kept by every pass, so that
+// position += velocity dt leaves the radius alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <vector>
+
+namespace jam {
+
+template <int D>
+struct Row {
+  static constexpr int motions = D == 2 ? 1 : 2;
+  static constexpr std::size_t stride = D == 2 ? 8 : 16;
+  static constexpr std::size_t force_stride = 4 * static_cast<std::size_t>(motions);
+  static constexpr std::size_t position = 0, radius = 3, velocity = 4;
+  static constexpr std::size_t spin = D == 2 ? 6 : 8;
+  static constexpr std::size_t angle = D == 2 ? 2 : 12;
+  /// start of the positions and of the velocities of motion m
+  static constexpr std::size_t position_of(int m) { return m == 0 ? 0 : 12; }
+  static constexpr std::size_t velocity_of(int m) { return m == 0 ? 4 : 8; }
+};
+
+/// Pairs are stored in blocks of this many, the widest vector there is; arrays are padded to whole blocks.
+inline constexpr std::size_t block = 8;
+
+template <class T>
+struct CacheAligned {
+  using value_type = T;
+  CacheAligned() = default;
+  template <class U>
+  CacheAligned(const CacheAligned<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(64))); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t(64)); }
+  bool operator==(const CacheAligned&) const { return true; }
+};
+
+template <class T>
+using Aligned = std::vector<T, CacheAligned<T>>;
+
+}  // namespace jam

@@ -1,0 +1,103 @@
+// Several doubles side by side, computed with at once: the scalar type of the vectorised kernels (Highway underneath).
+// Only for files compiled for one vector width (kernel_avx2.cpp, kernel_avx512.cpp); each width has its own namespace.
+// Element-wise exact operations alone, hence the same bits as the same formula in double.
+#pragma once
+
+#include <hwy/highway.h>
+
+#include "jamscape/geometry/scalar.hpp"
+
+namespace jam::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<double, 8>;
+using Tag4 = hn::FixedTag<double, 4>;
+
+struct Mask {
+  hn::Mask<Tag> m;
+};
+JAM_INLINE bool none(Mask a) { return hn::AllFalse(Tag(), a.m); }
+
+struct Lanes {
+  hn::Vec<Tag> v;
+
+  static constexpr int width = HWY_MAX_BYTES / 8;
+
+  Lanes() = default;
+  JAM_INLINE Lanes(hn::Vec<Tag> raw) : v(raw) {}
+  JAM_INLINE Lanes(double a) : v(hn::Set(Tag(), a)) {}
+  JAM_INLINE static Lanes load(const double* p) { return hn::Load(Tag(), p); }
+  JAM_INLINE void store(double* p) const { hn::Store(v, Tag(), p); }
+};
+
+JAM_INLINE Lanes operator+(Lanes a, Lanes b) { return hn::Add(a.v, b.v); }
+JAM_INLINE Lanes operator-(Lanes a, Lanes b) { return hn::Sub(a.v, b.v); }
+JAM_INLINE Lanes operator-(Lanes a) { return hn::Neg(a.v); }
+JAM_INLINE Lanes operator*(Lanes a, Lanes b) { return hn::Mul(a.v, b.v); }
+JAM_INLINE Lanes operator/(Lanes a, Lanes b) { return hn::Div(a.v, b.v); }
+JAM_INLINE Mask operator<(Lanes a, Lanes b) { return {hn::Lt(a.v, b.v)}; }
+JAM_INLINE Mask operator>(Lanes a, Lanes b) { return {hn::Gt(a.v, b.v)}; }
+JAM_INLINE Lanes square_root(Lanes a) { return hn::Sqrt(a.v); }
+JAM_INLINE Lanes magnitude(Lanes a) { return hn::Abs(a.v); }
+JAM_INLINE Lanes smaller(Lanes a, Lanes b) { return hn::IfThenElse(hn::Lt(a.v, b.v), a.v, b.v); }
+JAM_INLINE Lanes larger(Lanes a, Lanes b) { return hn::IfThenElse(hn::Gt(a.v, b.v), a.v, b.v); }
+JAM_INLINE Lanes select(Mask condition, Lanes a, Lanes b) { return hn::IfThenElse(condition.m, a.v, b.v); }
+JAM_INLINE Lanes select_or_zero(Mask condition, Lanes a) { return hn::IfThenElseZero(condition.m, a.v); }
+
+/// Four columns of `width` rows of four doubles.
+struct Columns {
+  Lanes c[4];
+};
+
+/// Rows k and (for eight lanes) k + 4 side by side.
+template <class T = Tag>
+JAM_INLINE hn::Vec<T> row_pair(const double* base, const std::uint32_t* index, int k, std::size_t stride) {
+  const auto lower = hn::Load(Tag4(), base + index[k] * stride);
+  if constexpr (hn::MaxLanes(T()) == 8)
+    return hn::Combine(T(), hn::Load(Tag4(), base + index[k + 4] * stride), lower);
+  else
+    return lower;
+}
+
+/// Loads the rows base[index[l] * stride ...+3] of all lanes l and transposes them: column c holds element c of each
+/// row. Whole rows come with one load each, which beats gathering element by element.
+JAM_INLINE Columns load_rows(const double* base, const std::uint32_t* index, std::size_t stride) {
+  const Tag d;
+  const auto a = row_pair(base, index, 0, stride), b = row_pair(base, index, 1, stride);
+  const auto c = row_pair(base, index, 2, stride), e = row_pair(base, index, 3, stride);
+  const auto ab02 = hn::InterleaveLower(d, a, b), ab13 = hn::InterleaveUpper(d, a, b);
+  const auto ce02 = hn::InterleaveLower(d, c, e), ce13 = hn::InterleaveUpper(d, c, e);
+  return {{hn::OddEvenBlocks(hn::SwapAdjacentBlocks(ce02), ab02), hn::OddEvenBlocks(hn::SwapAdjacentBlocks(ce13), ab13),
+           hn::OddEvenBlocks(ce02, hn::SwapAdjacentBlocks(ab02)),
+           hn::OddEvenBlocks(ce13, hn::SwapAdjacentBlocks(ab13))}};
+}
+
+/// The inverse of load_rows in registers: rows of four doubles, in the order of the lanes.
+struct Rows {
+  hn::Vec<Tag4> row[8];
+};
+template <class T = Tag>
+JAM_INLINE Rows to_rows(const Columns& x) {
+  const T d;
+  const auto p_even = hn::InterleaveLower(d, x.c[0].v, x.c[1].v), p_odd = hn::InterleaveUpper(d, x.c[0].v, x.c[1].v);
+  const auto q_even = hn::InterleaveLower(d, x.c[2].v, x.c[3].v), q_odd = hn::InterleaveUpper(d, x.c[2].v, x.c[3].v);
+  const auto r0 = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(q_even), p_even);  // rows 0 and 4
+  const auto r1 = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(q_odd), p_odd);
+  const auto r2 = hn::OddEvenBlocks(q_even, hn::SwapAdjacentBlocks(p_even));
+  const auto r3 = hn::OddEvenBlocks(q_odd, hn::SwapAdjacentBlocks(p_odd));
+  Rows out;
+  if constexpr (hn::MaxLanes(d) == 8) {
+    const hn::Half<T> h;
+    out.row[0] = hn::LowerHalf(h, r0), out.row[1] = hn::LowerHalf(h, r1);
+    out.row[2] = hn::LowerHalf(h, r2), out.row[3] = hn::LowerHalf(h, r3);
+    out.row[4] = hn::UpperHalf(h, r0), out.row[5] = hn::UpperHalf(h, r1);
+    out.row[6] = hn::UpperHalf(h, r2), out.row[7] = hn::UpperHalf(h, r3);
+  } else {
+    out.row[0] = r0, out.row[1] = r1, out.row[2] = r2, out.row[3] = r3;
+  }
+  return out;
+}
+
+JAM_INLINE void add_to(double* p, hn::Vec<Tag4> row) { hn::Store(hn::Add(hn::Load(Tag4(), p), row), Tag4(), p); }
+
+}  // namespace jam::HWY_NAMESPACE
