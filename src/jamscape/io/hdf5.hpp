@@ -1,0 +1,184 @@
+// A thin layer over the HDF5 C library: handles that close themselves, typed arrays and attributes, and errors as
+// data errors that name the file, what was wanted and why it failed.
+//
+// Every call holds one lock for the whole process, since the library may have been built without thread safety; take a
+// Lock around a group of calls to keep other threads from slipping in between. The library's own printing is silenced.
+//
+// Files are made without time stamps, so equal content gives equal bytes. Numbers are stored little-endian; arrays of
+// some size are chunked, shuffled, deflated and carry a Fletcher-32 checksum per chunk.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jam::hdf5 {
+
+/// Holds the process-wide lock; may be nested.
+class Lock {
+ public:
+  Lock();
+
+ private:
+  std::unique_lock<std::recursive_mutex> lock_;
+};
+
+/// Owns one HDF5 identifier.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle() = default;
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Handle(Handle&& other) noexcept { swap(other); }
+  Handle& operator=(Handle&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+  ~Handle() { reset(); }
+
+  hid_t id() const { return id_; }
+  /// Closes now; false when the library refused.
+  bool reset();
+
+ private:
+  void swap(Handle& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+  }
+  hid_t id_ = -1;
+  Close close_ = nullptr;
+};
+
+using Shape = std::vector<hsize_t>;
+
+/// The number types of arrays and attributes: (u)int8, 16, 32, 64 and double.
+template <class T>
+hid_t stored_type();
+template <class T>
+hid_t memory_type();
+
+/// What an array's elements are in the file; byte is uint8.
+enum class Kind { real, integer, byte, other };
+
+/// An array in a file, which may grow along its first axis (and others).
+class Dataset {
+ public:
+  Shape shape() const;
+  Kind kind() const;
+
+  /// Makes room: the new shape, not smaller than the old one in any direction. New elements are 0.
+  void resize(const Shape& shape);
+  /// Writes a block that starts at `start`.
+  template <class T>
+  void write(const Shape& start, const Shape& count, std::span<const T> values);
+  /// Reads a block; the file must really hold that much.
+  template <class T>
+  std::vector<T> read(const Shape& start, const Shape& count) const;
+  template <class T>
+  std::vector<T> read() const {
+    const Shape all = shape();
+    return read<T>(Shape(all.size(), 0), all);
+  }
+
+ private:
+  friend class Group;
+  Dataset(Handle handle, std::string file, std::string path)
+      : handle_(std::move(handle)), file_(std::move(file)), path_(std::move(path)) {}
+  Handle handle_;
+  std::string file_, path_;
+};
+
+class Group {
+ public:
+  Group() = default;
+  Group create_group(std::string_view name);
+  Group group(std::string_view name) const;
+  bool has(std::string_view name) const;
+  bool is_group(std::string_view name) const;
+  /// Names of the members, sorted.
+  std::vector<std::string> names() const;
+  /// A second name for a member of any group of the same file.
+  void link(std::string_view name, const Group& from, std::string_view member);
+
+  /// An array that can grow; `chunk` has no zero.
+  template <class T>
+  Dataset create(std::string_view name, const Shape& shape, const Shape& chunk);
+  Dataset dataset(std::string_view name) const;
+
+  /// A whole array at once; one-dimensional unless a shape is given.
+  template <class T>
+  void write(std::string_view name, std::span<const T> values, Shape shape = {});
+  template <class T>
+  void write(std::string_view name, const std::vector<T>& values, Shape shape = {}) {
+    write(name, std::span<const T>(values), std::move(shape));
+  }
+  template <class T>
+  std::vector<T> read(std::string_view name) const {
+    return dataset(name).read<T>();
+  }
+  /// Variable-length UTF-8 strings without NUL: an array, or a single one.
+  void write_strings(std::string_view name, const std::vector<std::string>& values);
+  void write_string(std::string_view name, const std::string& value);
+  std::vector<std::string> read_strings(std::string_view name) const;
+
+  template <class T>
+  void attribute(std::string_view name, const std::vector<T>& values);
+  void attribute(std::string_view name, const std::string& value);
+  void attribute(std::string_view name, const std::vector<std::string>& values);
+  bool has_attribute(std::string_view name) const;
+  template <class T>
+  std::vector<T> read_attribute(std::string_view name) const;
+  std::vector<std::string> read_text_attribute(std::string_view name) const;
+  /// Names of the attributes, sorted.
+  std::vector<std::string> attribute_names() const;
+
+  const std::string& file() const { return file_; }
+
+ private:
+  friend class File;
+  Group(Handle handle, std::string file, std::string path)
+      : handle_(std::move(handle)), file_(std::move(file)), path_(std::move(path)) {}
+  std::string full(std::string_view name) const;
+  void write_text(std::string_view name, const std::vector<std::string>& values, const Shape& shape);
+  Handle handle_;
+  std::string file_, path_;
+};
+
+class File {
+ public:
+  /// A new file on disk; anything of that name is overwritten.
+  static File create(const std::filesystem::path& path);
+  /// A new file in memory; `name` is what errors call it.
+  static File create_image(const std::string& name);
+  /// Existing files, to read only.
+  static File open(const std::filesystem::path& path);
+  static File open_image(std::string_view image, const std::string& name);
+
+  File(File&&) = default;
+  File& operator=(File&&) = default;
+  ~File();
+
+  Group root() const;
+  /// The bytes of the file so far.
+  std::string image();
+  /// Writes everything and closes; the only place where a full disk may first show. After a failure the file is
+  /// useless.
+  void close();
+  /// Closes a file on disk nobody wants, with all that is open in it, whether or not the disk takes its bytes.
+  void discard();
+
+ private:
+  enum class Mode { read, image, disk };
+  File(Handle handle, std::string name, Mode mode) : handle_(std::move(handle)), name_(std::move(name)), mode_(mode) {}
+  Handle handle_;
+  std::string name_;
+  Mode mode_;
+};
+
+}  // namespace jam::hdf5

@@ -1,0 +1,56 @@
+// Writes frames, one after another, into an open HDF5 file in the layout of run_file.hpp.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jamscape/io/hdf5.hpp"
+#include "jamscape/io/run_file.hpp"
+
+namespace jam {
+
+class RunWriter {
+ public:
+  /// `expected_frames` only decides how much shares a chunk.
+  RunWriter(hdf5::Group root, std::size_t expected_frames);
+  /// Throws a data error for a 2D packing with something out of its plane, or one of another dimension than the first.
+  void append(const Packing& packing);
+  /// Writes what stands once a file or once a frame; nothing can be appended afterwards.
+  void finish(const Provenance& provenance);
+
+ private:
+  hdf5::Group make(hdf5::Group& parent, const char* name) const;
+  void append_grains(const Packing& packing);
+  void append_contacts(const Contacts& contacts);
+  void append_walls(const std::vector<Wall>& walls);
+  void append_domain(const Domain& domain);
+  template <class T>
+  void append_property(const char* name, const std::vector<T> Grains::*member, const Grains& now);
+  template <class T>
+  void append_grain_row(const char* name, std::size_t frame, const std::vector<T>& values, hsize_t width);
+  template <class T>
+  void append_rows(hdf5::Group& group, const std::string& name, const std::vector<T>& values, hsize_t width = 0);
+  template <class T>
+  void finish_property(const char* name, const std::vector<T> Grains::*member);
+  template <class T>
+  void finish_element(hdf5::Group& parent, const char* name, const std::vector<T>& values, hsize_t width = 0);
+  void finish_box();
+  void link_times(hdf5::Group& group);
+
+  hdf5::Group root_, frames_, particles_, all_, contacts_, walls_;
+  std::size_t expected_, count_ = 0;
+  Packing first_;                                ///< lasting properties of the grains, dimension, domain
+  std::map<std::string, hdf5::Group> elements_;  ///< time-dependent members of particles/all
+  std::map<std::string, hdf5::Dataset> open_;    ///< arrays that grow; kept open for the sake of their chunk caches
+
+  std::vector<std::int64_t> steps_, grains_;
+  std::vector<double> times_, fraction_, fraction_plain_, edges_, lower_, upper_;
+  std::vector<std::uint8_t> periodic_;
+  std::vector<std::string> stages_;
+  std::vector<EnergyLedger> energy_;
+  std::vector<std::uint64_t> contact_offset_{0}, wall_offset_{0}, bead_offset_{0};
+};
+
+}  // namespace jam
