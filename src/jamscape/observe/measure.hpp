@@ -16,7 +16,8 @@ namespace jam {
 /// How often a measure's rows occur, and in which table they stand.
 enum class Rows {
   frame,  ///< one row a frame: the columns join the table `frames`
-  many,   ///< several rows a frame (bins, thresholds, points): a table of its own, named after the measure
+  many,   ///< several rows a frame (bins, thresholds, points): a table of its own, named after the measure; no rows at
+          ///< packing fractions that are not multiples of MeasureOptions::rows_every
 };
 
 struct ColumnInfo {
@@ -26,10 +27,10 @@ struct ColumnInfo {
 };
 
 struct Measure {
-  std::string name;                 ///< snake_case; the key in study files
-  std::string title;                ///< a few words
-  std::string formula;              ///< plain text or TeX-like, with the usual misunderstanding where there is one
-  std::string source;               ///< key of docs/references.bib, or paper and place
+  std::string name;     ///< snake_case; the key in study files
+  std::string title;    ///< a few words
+  std::string formula;  ///< plain text or TeX-like, with the usual misunderstanding where there is one
+  std::string source;   ///< key of docs/references.bib, or paper and place
   Rows rows = Rows::frame;
   std::vector<ColumnInfo> columns;  ///< for Rows::many the abscissae come first
   int abscissae = 0;                ///< Rows::many: how many leading columns name the row (bin centre, threshold, ...)

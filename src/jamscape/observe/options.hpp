@@ -1,6 +1,7 @@
 // How a packing becomes a network and numbers: options of the measures. They never influence a simulation.
 #pragma once
 
+#include <cstdint>
 #include <utility>
 
 #include "jamscape/base/option.hpp"
@@ -17,16 +18,61 @@ struct EnumNames<EdgeForce> {
 
 struct MeasureOptions {
   EdgeForce force = EdgeForce::normal;
-  double clamp = 5;               // in mean forces; 0: none
-  bool remove_rattlers = false;   // S2: once, not recursively
+  double clamp = 5;              // in mean forces; 0: none
+  bool remove_rattlers = false;  // S2: once, not recursively
+  double rows_every = 0.02;      // keeps tables of bins and points to the packing fractions that are shown
+  double pair_bin = 0.02;
+  double pair_range = 8;
+  double pair_margin = 3;  // grains within about two layers of a wall are ordered by it
+  double force_min = 0.1;
+  double force_max = 6;
+  std::int64_t force_bins = 50;
+  double betti_max = 5;
+  double betti_step = 0.05;
 
   template <class V>
   void describe(V& v) {
     v.option("force", force, {.text = "weight of an edge: normal force (S1) or total contact force (S2)"});
-    v.option("clamp", clamp, {.text = "largest weight kept, in mean forces; 0 keeps all", .min = 0, .max = 1e9,
-                              .source = "S1 Sec. II.C"});
+    v.option(
+        "clamp", clamp,
+        {.text = "largest weight kept, in mean forces; 0 keeps all", .min = 0, .max = 1e9, .source = "S1 Sec. II.C"});
     v.option("remove_rattlers", remove_rattlers,
              {.text = "remove grains with fewer than two contacts, once", .source = "S2 Sec. 4"});
+    v.option(
+        "rows_every", rows_every,
+        {.text = "measures with several rows a frame are taken at packing fractions that are multiples of this; 0: at "
+                 "every frame",
+         .min = 0,
+         .max = 1,
+         .source = "S1 Figs. 9, 10"});
+    v.option(
+        "pair_bin", pair_bin,
+        {.text = "pair correlation: width of a bin", .unit = "d", .min = 1e-4, .max = 10, .source = "PHYSICS sec. 4"});
+    v.option("pair_range", pair_range,
+             {.text = "pair correlation: largest distance", .unit = "d", .min = 0, .max = 1000, .above_min = true});
+    v.option("pair_margin", pair_margin,
+             {.text = "pair correlation: grains closer to a wall are no reference grains; at most a sixth of the width",
+              .unit = "d",
+              .min = 0,
+              .max = 1000,
+              .source = "PHYSICS sec. 4"});
+    v.option("force_min", force_min,
+             {.text = "force distribution: lowest edge of the logarithmic bins, in mean forces",
+              .min = 0,
+              .max = 1e6,
+              .above_min = true,
+              .source = "PHYSICS sec. 4"});
+    v.option("force_max", force_max,
+             {.text = "force distribution: highest edge of the logarithmic bins, in mean forces",
+              .min = 0,
+              .max = 1e6,
+              .above_min = true,
+              .source = "PHYSICS sec. 4"});
+    v.option("force_bins", force_bins, {.text = "force distribution: number of bins", .min = 1, .max = 1e5});
+    v.option("betti_max", betti_max,
+             {.text = "Betti numbers: highest threshold, in mean forces", .min = 0, .max = 1e6});
+    v.option("betti_step", betti_step,
+             {.text = "Betti numbers: distance of the thresholds, in mean forces", .min = 1e-4, .max = 1e6});
   }
 };
 

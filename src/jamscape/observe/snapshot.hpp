@@ -3,34 +3,32 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "jamscape/network/graph.hpp"
+#include "jamscape/observe/bonds.hpp"
+#include "jamscape/observe/force_network.hpp"
 #include "jamscape/observe/options.hpp"
 #include "jamscape/packing/packing.hpp"
 #include "jamscape/topology/persistence.hpp"
 
 namespace jam {
 
-/// The force network of a packing: the bridge from grains to graphs.
-struct ForceNetwork {
-  WeightedGraph graph;                  ///< vertices = grains (index as in Packing::grains); weights in mean forces
-  double mean_force = 0;                ///< mean over the edges kept, before normalisation and clamp
-  std::vector<std::uint32_t> contact;   ///< of each edge: the index of its (first) contact in Packing::contacts
-};
-
 class Snapshot {
  public:
+  /// The packing must outlive the snapshot; the options are copied.
   Snapshot(const Packing& packing, const MeasureOptions& options) : packing_(packing), options_(options) {}
+  Snapshot(Packing&&, const MeasureOptions&) = delete;
 
   const Packing& packing() const { return packing_; }
   const MeasureOptions& options() const { return options_; }
+  const Bonds& bonds() const;
   const ForceNetwork& network() const;
+  /// Of the network's clique complex, in the homology dimensions 0 to D - 1.
   const Diagram& diagram() const;
 
  private:
   const Packing& packing_;
-  const MeasureOptions& options_;
+  MeasureOptions options_;
+  mutable std::optional<Bonds> bonds_;
   mutable std::optional<ForceNetwork> network_;
   mutable std::optional<Diagram> diagram_;
 };

@@ -1,0 +1,33 @@
+#include "jamscape/observe/balance.hpp"
+
+#include "jamscape/observe/entry.hpp"
+
+namespace jam {
+
+double unbalanced_force(const Packing& packing) {
+  const Contacts& k = packing.contacts;
+  std::vector<Vec3> net(packing.grains.size(), Vec3{});
+  double contact_sum = 0;
+  for (std::size_t c = 0; c < k.size(); ++c) {
+    const Vec3 f = k.tangential_force[c] - k.normal_force[c] * k.normal[c];
+    contact_sum += norm(f);
+    net[k.i[c]] += f;
+    if (k.j[c] >= 0) net[static_cast<std::size_t>(k.j[c])] -= f;
+  }
+  if (!(contact_sum > 0)) return 0;
+  double net_sum = 0;
+  for (const Vec3& f : net) net_sum += norm(f);
+  return (net_sum / static_cast<double>(net.size())) / (contact_sum / static_cast<double>(k.size()));
+}
+
+Measure balance_measure() {
+  return frame_measure(
+      {"balance", "unbalanced force",
+       "(mean over grains of |sum of contact forces|)/(mean over contacts of |contact force|), wall contacts "
+       "included; 0 at rest, and without contacts",
+       "PHYSICS sec. 1; as in Yade"},
+      {{"unbalanced_force", "", "mean net force on a grain over the mean contact force"}},
+      [](const Snapshot& s) { return std::vector<double>{unbalanced_force(s.packing())}; });
+}
+
+}  // namespace jam

@@ -1,0 +1,40 @@
+// Which bodies touch: the contacts of a packing seen as pairs of bodies.
+//
+// Two grains touch where a contact between them has overlap >= 0 (S1 App. B). A pair of bodies with several contacts
+// (clusters) is one bond. Wall contacts count for the degree of a grain but are no bonds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "jamscape/packing/packing.hpp"
+
+namespace jam {
+
+struct Bonds {
+  std::vector<std::uint32_t> contact;  ///< of each touching pair of grains: the index of its first contact
+  std::vector<std::uint32_t> grains;   ///< of each grain: the number of grains it touches
+  std::vector<std::uint32_t> walls;    ///< of each grain: the number of its wall contacts (each bead is one)
+  std::size_t wall_contacts = 0;
+
+  std::size_t size() const { return contact.size(); }
+  std::uint32_t degree(std::size_t grain) const { return grains[grain] + walls[grain]; }
+};
+
+/// Throws a data error where a contact names a body that is not there, or the contacts are not sorted.
+Bonds find_bonds(const Packing& packing);
+
+/// The next contact of the pair that contact c belongs to, or the number of contacts.
+inline std::size_t next_of_pair(const Contacts& contacts, std::size_t c) {
+  const std::size_t next = c + 1;
+  return next < contacts.size() && contacts.i[next] == contacts.i[c] && contacts.j[next] == contacts.j[c]
+             ? next
+             : contacts.size();
+}
+
+/// Force on the first body of a pair, summed over its contacts from contact c on: normal parts only, or all of it.
+Vec3 normal_force_of_pair(const Contacts& contacts, std::size_t c);
+Vec3 total_force_of_pair(const Contacts& contacts, std::size_t c);
+
+}  // namespace jam

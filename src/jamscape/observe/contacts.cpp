@@ -1,0 +1,30 @@
+#include "jamscape/observe/contacts.hpp"
+
+#include "jamscape/observe/entry.hpp"
+
+namespace jam {
+
+double mean_normal_force(const Snapshot& snapshot) {
+  const ForceNetwork& net = snapshot.network();
+  if (snapshot.options().force == EdgeForce::normal || net.contact.empty()) return net.mean_force;
+  double sum = 0;
+  for (const std::uint32_t c : net.contact) sum += norm(normal_force_of_pair(snapshot.packing().contacts, c));
+  return sum / static_cast<double>(net.contact.size());
+}
+
+Measure contacts_measure() {
+  return frame_measure(
+      {"contacts", "contacts and their mean force",
+       "edges of the force network: pairs of grains with overlap >= 0; wall contacts are no edges. mean_normal_force = "
+       "(1/edges) sum |F_n|, the force that weights are measured in.",
+       "S1 Sec. II.C, App. B"},
+      {{"contacts", "", "edges of the force network"},
+       {"wall_contacts", "", "contacts of grains with walls (each bead of a wall is one)"},
+       {"mean_normal_force", "m d/tau_c^2", "mean normal force of the edges; 0 without edges"}},
+      [](const Snapshot& s) {
+        return std::vector<double>{static_cast<double>(s.network().graph.edges()),
+                                   static_cast<double>(s.bonds().wall_contacts), mean_normal_force(s)};
+      });
+}
+
+}  // namespace jam

@@ -1,0 +1,53 @@
+#include "jamscape/observe/entry.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace jam {
+namespace {
+
+void require_columns(const std::string& measure, std::size_t given, std::size_t declared) {
+  if (given != declared)
+    throw std::logic_error("measure " + measure + " gave another number of columns than it declares");
+}
+
+}  // namespace
+
+bool is_multiple(double packing_fraction, double every) {
+  if (every <= 0) return true;
+  return std::abs(std::remainder(packing_fraction, every)) <= 0.01 * every;
+}
+
+Measure frame_measure(MeasureText text, std::vector<ColumnInfo> columns,
+                      std::function<std::vector<double>(const Snapshot&)> values) {
+  Measure m{text.name, text.title, text.formula, text.source, Rows::frame, columns, 0, true, {}};
+  m.evaluate = [name = text.name, columns = std::move(columns), values = std::move(values)](const Snapshot& s) {
+    const std::vector<double> row = values(s);
+    require_columns(name, row.size(), columns.size());
+    Table table;
+    table.columns.reserve(row.size());
+    for (std::size_t k = 0; k < row.size(); ++k) table.add(columns[k].name, std::vector<double>{row[k]});
+    return table;
+  };
+  return m;
+}
+
+Measure rows_measure(MeasureText text, std::vector<ColumnInfo> columns, int abscissae, bool averaged,
+                     std::function<std::vector<std::vector<double>>(const Snapshot&)> values) {
+  Measure m{text.name, text.title, text.formula, text.source, Rows::many, columns, abscissae, averaged, {}};
+  m.evaluate = [name = text.name, columns = std::move(columns), values = std::move(values)](const Snapshot& s) {
+    Table table;
+    if (!is_multiple(s.packing().packing_fraction, s.options().rows_every)) {
+      for (const ColumnInfo& c : columns) table.add(c.name, std::vector<double>{});
+      return table;
+    }
+    std::vector<std::vector<double>> rows = values(s);
+    require_columns(name, rows.size(), columns.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) table.add(columns[k].name, std::move(rows[k]));
+    return table;
+  };
+  return m;
+}
+
+}  // namespace jam

@@ -1,0 +1,29 @@
+#include "jamscape/observe/force_distribution.hpp"
+
+#include "jamscape/observe/entry.hpp"
+
+namespace jam {
+
+Histogram force_distribution(const ForceNetwork& network, const MeasureOptions& options) {
+  Histogram h(Spacing::logarithmic, options.force_min, options.force_max, static_cast<std::size_t>(options.force_bins));
+  if (network.mean_force > 0)
+    for (const double f : network.force) h.add(f / network.mean_force);
+  return h;
+}
+
+Measure force_distribution_measure() {
+  return rows_measure({"force_distribution", "distribution of the contact forces",
+                       "P(F): density of F/<F> over the contacts between grains, not clamped; forces outside the bins "
+                       "count in the norm, "
+                       "so the integral over the bins is at most 1.",
+                       "S1 Sec. III.B, Figs. 9, 10"},
+                      {{"force", "<F>", "geometric centre of the bin"},
+                       {"density", "1/<F>", "P(F)"},
+                       {"count", "", "contacts in the bin"}},
+                      1, true, [](const Snapshot& s) -> std::vector<std::vector<double>> {
+                        const Histogram h = force_distribution(s.network(), s.options());
+                        return {h.centres(), h.density(), std::vector<double>(h.counts().begin(), h.counts().end())};
+                      });
+}
+
+}  // namespace jam

@@ -1,0 +1,16 @@
+// P(F): density of the contact forces in units of their mean, F/<F>, over the edges of the force network, unclamped.
+//
+//   integral of P over all F = 1: forces outside the bins count in the norm. Bins are logarithmic.
+// Source: S1 Sec. III.B, Figs. 9 and 10 (bins unstated there); PHYSICS sec. 4.
+#pragma once
+
+#include "jamscape/observe/measure.hpp"
+#include "jamscape/stats/histogram.hpp"
+
+namespace jam {
+
+Histogram force_distribution(const ForceNetwork& network, const MeasureOptions& options);
+
+Measure force_distribution_measure();
+
+}  // namespace jam

@@ -1,0 +1,31 @@
+// The force network of a packing: the bridge from grains to graphs.
+//
+//   vertices  grains;   edges  pairs of grains that touch (wall contacts are no edges)
+//   weight    f = |F|/<F>, at most `clamp`;   F = sum of F_n n over the contacts of the pair (S1), or of F_n n - f_t,
+//             the whole contact force (S2);   <F> = mean of |F| over the edges kept, before the clamp
+//
+// With `remove_rattlers` the edges of grains with fewer than two contacts (walls count) are dropped first, once and not
+// recursively; the vertices stay, so that the index of a vertex is the index of its grain.
+// Source: S1 Sec. II.C and App. B, S2 Sec. 4, PHYSICS sec. 4.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "jamscape/network/graph.hpp"
+#include "jamscape/observe/bonds.hpp"
+#include "jamscape/observe/options.hpp"
+#include "jamscape/packing/packing.hpp"
+
+namespace jam {
+
+struct ForceNetwork {
+  WeightedGraph graph;                 ///< vertices = grains (index as in Packing::grains); weights in mean forces
+  double mean_force = 0;               ///< mean over the edges kept, before normalisation and clamp
+  std::vector<std::uint32_t> contact;  ///< of each edge: the index of its (first) contact in Packing::contacts
+  std::vector<double> force;           ///< of each edge: |F| before normalisation and clamp
+};
+
+ForceNetwork force_network(const Packing& packing, const Bonds& bonds, const MeasureOptions& options);
+
+}  // namespace jam

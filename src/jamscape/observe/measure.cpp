@@ -1,0 +1,52 @@
+#include "jamscape/observe/measure.hpp"
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/base/nearest.hpp"
+#include "jamscape/observe/balance.hpp"
+#include "jamscape/observe/bond_order.hpp"
+#include "jamscape/observe/box.hpp"
+#include "jamscape/observe/contacts.hpp"
+#include "jamscape/observe/coordination.hpp"
+#include "jamscape/observe/energy.hpp"
+#include "jamscape/observe/force_distribution.hpp"
+#include "jamscape/observe/pair_correlation.hpp"
+#include "jamscape/observe/persistence_measures.hpp"
+#include "jamscape/observe/stress.hpp"
+#include "jamscape/observe/walls.hpp"
+
+namespace jam {
+
+const std::vector<Measure>& measures() {
+  static const std::vector<Measure> all = {
+      contacts_measure(),
+      coordination_measure(),
+      bond_order_measure(),
+      persistence_bins_measure(),
+      total_persistence_measure(),
+      stress_measure(),
+      walls_measure(),
+      balance_measure(),
+      energy_measure(),
+      box_measure(),
+      betti_measure(),
+      pair_correlation_measure(),
+      force_distribution_measure(),
+      diagram_measure(),
+  };
+  return all;
+}
+
+const Measure& find_measure(std::string_view name) {
+  std::vector<std::string> known;
+  for (const Measure& m : measures()) {
+    if (m.name == name) return m;
+    known.push_back(m.name);
+  }
+  const std::string close = nearest(name, known);
+  std::string list;
+  for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
+  throw usage_error("there is no measure '" + std::string(name) + "'", {},
+                    (close.empty() ? "" : "did you mean '" + close + "'? ") + ("the measures are " + list));
+}
+
+}  // namespace jam

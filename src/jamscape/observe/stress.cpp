@@ -1,0 +1,56 @@
+#include "jamscape/observe/stress.hpp"
+
+#include "jamscape/observe/box.hpp"
+#include "jamscape/observe/entry.hpp"
+
+namespace jam {
+
+std::array<Vec3, 3> stress(const Packing& packing) {
+  const Contacts& k = packing.contacts;
+  const Grains& g = packing.grains;
+  const Vec3 side = packing.domain.hi - packing.domain.lo;
+  std::array<Vec3, 3> sigma{};
+  for (std::size_t c = 0; c < k.size(); ++c) {
+    const std::uint32_t i = k.i[c];
+    const Vec3 f = k.tangential_force[c] - k.normal_force[c] * k.normal[c];
+    Vec3 arm{};
+    if (k.j[c] < 0) {
+      arm = k.point[c] - g.position[i];
+    } else {
+      arm = g.position[static_cast<std::size_t>(k.j[c])] - g.position[i];
+      for (int a = 0; a < 3; ++a) arm[a] += k.image[c][static_cast<std::size_t>(a)] * side[a];
+    }
+    for (int a = 0; a < 3; ++a) sigma[static_cast<std::size_t>(a)] += f[a] * arm;
+  }
+  const double volume = box_volume(packing);
+  for (Vec3& row : sigma) row = (volume > 0 ? 1 / volume : 0.0) * row;
+  return sigma;
+}
+
+Measure stress_measure() {
+  const char* unit = "m d^(2-D)/tau_c^2";
+  return frame_measure(
+      {"stress", "mean contact stress",
+       "sigma_ab = (1/V) sum_c f_a l_b, f the force on a grain, l from its centre to the contact point, wall contacts "
+       "included, V the box between the walls (bead-centre lines for bead walls). Negative trace in compression; "
+       "pressure = -trace/D. Off-diagonal elements are symmetrised; elements with z are 0 in two dimensions.",
+       "S3 Eq. 8; PHYSICS sec. 4"},
+      {{"stress_xx", unit, "negative in compression"},
+       {"stress_yy", unit, "negative in compression"},
+       {"stress_xy", unit, "shear stress"},
+       {"stress_zz", unit, "negative in compression; 0 in two dimensions"},
+       {"stress_xz", unit, "shear stress; 0 in two dimensions"},
+       {"stress_yz", unit, "shear stress; 0 in two dimensions"},
+       {"pressure", unit, "-(trace of the stress)/D, positive in compression"}},
+      [](const Snapshot& s) {
+        const auto t = stress(s.packing());
+        const auto shear = [&](std::size_t a, std::size_t b) {
+          return 0.5 * (t[a][static_cast<int>(b)] + t[b][static_cast<int>(a)]);
+        };
+        const double trace = t[0][0] + t[1][1] + t[2][2];
+        return std::vector<double>{
+            t[0][0], t[1][1], shear(0, 1), t[2][2], shear(0, 2), shear(1, 2), -trace / s.packing().dimension};
+      });
+}
+
+}  // namespace jam

@@ -1,0 +1,53 @@
+#include "jamscape/observe/coordination.hpp"
+
+#include <gtest/gtest.h>
+
+#include "jamscape/observe/contacts.hpp"
+#include "packings.hpp"
+
+namespace jam {
+namespace {
+
+using namespace test;
+
+TEST(Coordination, OfLattices) {
+  EXPECT_DOUBLE_EQ(coordination(find_bonds(hexagonal(6, 6))).z, 6);
+  EXPECT_DOUBLE_EQ(coordination(find_bonds(square(5, 4))).z, 4);
+}
+
+TEST(Coordination, CountsWallsAndRattlersAsItSays) {
+  // A chain of three from the left wall, one grain apart from all.
+  Packing p = box(2, {10, 4, 0});
+  add_walls(p);
+  for (const double x : {0.5, 1.5, 2.5, 7.0}) add_grain(p, {x, 2, 0});
+  touch(p);
+  const Coordination c = coordination(find_bonds(p));
+  EXPECT_DOUBLE_EQ(c.z, 2 * 2 / 4.0);
+  EXPECT_DOUBLE_EQ(c.z_walls, (2 * 2 + 1) / 4.0);
+  EXPECT_DOUBLE_EQ(c.z_multi, 2);         // grains 0 (wall and grain) and 1
+  EXPECT_DOUBLE_EQ(c.rattlers, 2 / 4.0);  // grains 2 and 3
+}
+
+TEST(Coordination, OfNothing) {
+  const Coordination none = coordination(find_bonds(box(2, {1, 1, 0})));
+  EXPECT_EQ(none.z, 0);
+  EXPECT_EQ(none.rattlers, 0);
+  Packing p = box(2, {9, 9, 0});
+  add_grain(p, {1, 1, 0});
+  EXPECT_EQ(coordination(find_bonds(p)).z_multi, 0);
+  EXPECT_EQ(coordination(find_bonds(p)).rattlers, 1);
+}
+
+TEST(Contacts, MeanNormalForceIsTheSameForEitherWeight) {
+  Packing p = box(2, {10, 4, 0});
+  for (const double x : {1.0, 2.0, 3.0}) add_grain(p, {x, 2, 0});
+  add_contact(p, 0, 1, 3, {0, 4, 0});
+  add_contact(p, 1, 2, 5);
+  MeasureOptions total;
+  total.force = EdgeForce::total;
+  EXPECT_DOUBLE_EQ(mean_normal_force(Snapshot(p, {})), 4);
+  EXPECT_DOUBLE_EQ(mean_normal_force(Snapshot(p, total)), 4);
+}
+
+}  // namespace
+}  // namespace jam

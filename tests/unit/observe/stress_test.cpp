@@ -1,0 +1,108 @@
+#include "jamscape/observe/stress.hpp"
+
+#include <gtest/gtest.h>
+
+#include "jamscape/observe/balance.hpp"
+#include "jamscape/observe/walls.hpp"
+#include "packings.hpp"
+
+namespace jam {
+namespace {
+
+using namespace test;
+
+double pressure(const Packing& p) {
+  const auto s = stress(p);
+  return -(s[0][0] + s[1][1] + s[2][2]) / p.dimension;
+}
+
+// An n^D cubic lattice that just fills its box, pressed equally from all walls with force 2 a contact.
+Packing pressed(int dimension, int n) {
+  const double side = n;
+  Packing p = box(dimension, {side, side, dimension == 3 ? side : 0});
+  add_walls(p);
+  for (int z = 0; z < (dimension == 3 ? n : 1); ++z)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) add_grain(p, {x + 0.5, y + 0.5, dimension == 3 ? z + 0.5 : 0});
+  touch(p);
+  for (Wall& w : p.walls) w.force = 2.0 * w.force;
+  for (double& f : p.contacts.normal_force) f = 2;
+  return p;
+}
+
+TEST(Stress, PressureIsTheWallPressureInEquilibrium) {
+  for (const int dimension : {2, 3}) {
+    const Packing p = pressed(dimension, 4);
+    const auto s = stress(p);
+    EXPECT_NEAR(s[0][0], -2, 1e-12);
+    EXPECT_NEAR(s[1][1], -2, 1e-12);
+    EXPECT_NEAR(s[2][2], dimension == 3 ? -2 : 0, 1e-12);
+    EXPECT_NEAR(s[0][1], 0, 1e-12);
+    EXPECT_NEAR(pressure(p), 2, 1e-12);
+    EXPECT_NEAR(wall_forces(p).pressure, 2, 1e-12);
+    EXPECT_NEAR(unbalanced_force(p), 0, 1e-12);
+  }
+}
+
+TEST(Stress, OfAPeriodicLattice) {
+  // Contact force f on a square lattice of spacing 1: f per unit length across any line.
+  Packing p = square(5, 4);
+  for (double& f : p.contacts.normal_force) f = 3;
+  EXPECT_NEAR(stress(p)[0][0], -3, 1e-12);
+  EXPECT_NEAR(stress(p)[1][1], -3, 1e-12);
+  // Hexagonal: sum over the three bonds of a grain of f l (x) l, over its area sqrt(3)/2: trace -3 f/(sqrt(3)/2).
+  Packing h = hexagonal(6, 6);
+  for (double& f : h.contacts.normal_force) f = 1;
+  EXPECT_NEAR(pressure(h), 0.5 * 3 / std::sqrt(0.75), 1e-12);
+  EXPECT_NEAR(stress(h)[0][0], stress(h)[1][1], 1e-12);
+}
+
+TEST(Stress, OfOneContactByHand) {
+  Packing p = box(2, {10, 5, 0});
+  add_grain(p, {4, 2, 0});
+  add_grain(p, {5, 2, 0});
+  add_contact(p, 0, 1, 3, {0, 2, 0});
+  const auto s = stress(p);  // f on 0 = (-3, 2), branch (1, 0), V = 50
+  EXPECT_DOUBLE_EQ(s[0][0], -3.0 / 50);
+  EXPECT_DOUBLE_EQ(s[1][0], 2.0 / 50);
+  EXPECT_DOUBLE_EQ(s[0][1], 0);
+}
+
+TEST(Stress, TensionIsPositive) {
+  Packing p = square(3, 3);
+  for (double& f : p.contacts.normal_force) f = -1;
+  EXPECT_LT(pressure(p), 0);
+}
+
+TEST(WallForces, AreKnownByTheNormalOfTheWall) {
+  Packing p = box(2, {10, 5, 0});
+  add_walls(p);
+  p.walls[0].force = {-4, 1, 0};
+  p.walls[1].force = {6, 0, 0};
+  p.walls[2].force = {9, -8, 0};
+  p.walls[3].force = {0, 2, 0};
+  std::swap(p.walls[0], p.walls[3]);
+  const WallForces f = wall_forces(p);
+  EXPECT_EQ(f.normal, (std::array<double, 6>{4, 6, 8, 2, 0, 0}));
+  EXPECT_DOUBLE_EQ(f.pressure, (4.0 / 5 + 6.0 / 5 + 8.0 / 10 + 2.0 / 10) / 4);
+}
+
+TEST(WallForces, AreZeroWithoutWalls) {
+  const WallForces f = wall_forces(square(3, 3));
+  EXPECT_EQ(f.normal, (std::array<double, 6>{}));
+  EXPECT_EQ(f.pressure, 0);
+}
+
+TEST(UnbalancedForce, OfASinglePairIsOne) {
+  Packing p = box(2, {10, 5, 0});
+  add_grain(p, {4, 2, 0});
+  add_grain(p, {5, 2, 0});
+  EXPECT_EQ(unbalanced_force(p), 0);
+  add_contact(p, 0, 1, 3, {0, 4, 0});
+  EXPECT_DOUBLE_EQ(unbalanced_force(p), 1);
+  add_grain(p, {8, 4, 0});  // a grain without contacts is at rest
+  EXPECT_DOUBLE_EQ(unbalanced_force(p), 2.0 / 3);
+}
+
+}  // namespace
+}  // namespace jam
