@@ -1,8 +1,10 @@
 #include "jamscape/stats/crossing.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/stats/curves.hpp"
 
 namespace jam {
 
@@ -29,6 +31,12 @@ std::optional<double> last_upward_crossing(std::span<const double> x, std::span<
   for (auto c = all.rbegin(); c != all.rend(); ++c)
     if (c->direction == Direction::upward) return c->x;
   return std::nullopt;
+}
+
+Estimate crossing_of_mean(std::span<const double> x, std::span<const std::vector<double>> curves, double level) {
+  return jackknife(curves.size(), [&](std::span<const std::size_t> which) {
+    return last_upward_crossing(x, mean_curve(curves, which), level).value_or(std::numeric_limits<double>::quiet_NaN());
+  });
 }
 
 }  // namespace jam

@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "jamscape/stats/resampling.hpp"
+
 namespace jam {
 
 enum class Direction { upward, downward };
@@ -25,5 +27,8 @@ struct Crossing {
 std::vector<Crossing> crossings(std::span<const double> x, std::span<const double> y, double level);
 
 std::optional<double> last_upward_crossing(std::span<const double> x, std::span<const double> y, double level);
+
+/// The last upward crossing of the mean of the curves, its error by jackknife over the curves; NaN without a crossing.
+Estimate crossing_of_mean(std::span<const double> x, std::span<const std::vector<double>> curves, double level);
 
 }  // namespace jam

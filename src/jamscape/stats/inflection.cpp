@@ -1,5 +1,6 @@
 #include "jamscape/stats/inflection.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,17 +11,20 @@
 namespace jam {
 namespace {
 
-// Parameters: a, b, c, x0, log w; the logarithm keeps w positive.
-double logistic_plus_line(double x, std::span<const double> p, std::span<double> g) {
-  const double w = std::exp(p[4]);
-  const double s = 1 / (1 + std::exp(-(x - p[3]) / w));
-  const double ds = s * (1 - s) / w;
-  g[0] = 1;
-  g[1] = x;
-  g[2] = s;
-  g[3] = -p[2] * ds;
-  g[4] = -p[2] * ds * (x - p[3]);
-  return p[0] + p[1] * x + p[2] * s;
+// Parameters: a, b, c, x0, log(w - narrowest). A jump between two samples would let w go to zero and leave x0
+// undefined; a quarter of the spacing as the narrowest width puts it between them.
+Model logistic_plus_line(double narrowest) {
+  return [narrowest](double x, std::span<const double> p, std::span<double> g) {
+    const double more = std::exp(p[4]), w = narrowest + more;
+    const double s = 1 / (1 + std::exp(-(x - p[3]) / w));
+    const double ds = s * (1 - s) / w;
+    g[0] = 1;
+    g[1] = x;
+    g[2] = s;
+    g[3] = -p[2] * ds;
+    g[4] = -p[2] * ds * (x - p[3]) / w * more;
+    return p[0] + p[1] * x + p[2] * s;
+  };
 }
 
 // For fixed x0 and w the model is linear in a, b, c.
@@ -44,17 +48,18 @@ std::vector<double> best_line(std::span<const double> x, std::span<const double>
   return p;
 }
 
-std::vector<double> first_guess(std::span<const double> x, std::span<const double> y) {
+std::vector<double> first_guess(std::span<const double> x, std::span<const double> y, double narrowest) {
   std::vector<double> best;
   double lowest = std::numeric_limits<double>::infinity();
   const double range = x.back() - x.front();
   for (std::size_t k = 1; k + 1 < x.size(); ++k)
-    for (const double w : {0.005 * range, 0.02 * range, 0.08 * range, 0.2 * range}) {
+    for (const double more : {0.001 * range, 0.005 * range, 0.02 * range, 0.08 * range, 0.2 * range}) {
+      const double w = narrowest + more;
       double residual = 0;
       std::vector<double> p = best_line(x, y, x[k], w, residual);
       if (p.empty() || !(residual < lowest)) continue;
       lowest = residual;
-      best = {p[0], p[1], p[2], x[k], std::log(w)};
+      best = {p[0], p[1], p[2], x[k], std::log(more)};
     }
   return best;
 }
@@ -71,13 +76,17 @@ std::optional<Inflection> fit_inflection(std::span<const double> x, std::span<co
   const double middle = 0.5 * (x.front() + x.back()), half = 0.5 * (x.back() - x.front());
   std::vector<double> u(x.begin(), x.end());
   for (double& t : u) t = (t - middle) / half;
-  std::vector<double> start = first_guess(u, y);
+  double spacing = 2;
+  for (std::size_t k = 1; k < u.size(); ++k) spacing = std::min(spacing, u[k] - u[k - 1]);
+  const double narrowest = spacing / 4;
+  std::vector<double> start = first_guess(u, y, narrowest);
   if (start.empty()) return std::nullopt;
-  const Fit fit = least_squares(u, y, logistic_plus_line, std::move(start), 500);
+  const Fit fit = least_squares(u, y, logistic_plus_line(narrowest), std::move(start), 500);
   const std::vector<double>& p = fit.parameters;
   if (!fit.converged || !(std::abs(p[3]) <= 1)) return std::nullopt;
   const double slope = p[1] / half;
-  return Inflection{middle + half * p[3], half * std::exp(p[4]), p[2], slope, p[0] - slope * middle, fit.residual};
+  return Inflection{middle + half * p[3], half * (narrowest + std::exp(p[4])), p[2], slope, p[0] - slope * middle,
+                    fit.residual};
 }
 
 Estimate inflection_of_mean(std::span<const double> x, std::span<const std::vector<double>> curves,

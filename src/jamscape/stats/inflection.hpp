@@ -19,7 +19,7 @@ namespace jam {
 
 struct Inflection {
   double x = 0;         ///< x0
-  double width = 0;     ///< w > 0
+  double width = 0;     ///< w, at least a quarter of the smallest distance of two samples
   double height = 0;    ///< c
   double slope = 0;     ///< b
   double offset = 0;    ///< a

@@ -28,6 +28,10 @@ NormalEquations linearise(std::span<const double> x, std::span<const double> y, 
       for (std::size_t b = 0; b < m; ++b) e.matrix[a * m + b] += g[a] * g[b];
     }
   }
+  // A parameter that no longer matters would make the equations singular; with a floor it just stays where it is.
+  double largest = 0;
+  for (std::size_t a = 0; a < m; ++a) largest = std::max(largest, e.matrix[a * m + a]);
+  for (std::size_t a = 0; a < m; ++a) e.matrix[a * m + a] = std::max(e.matrix[a * m + a], 1e-20 * largest);
   return e;
 }
 

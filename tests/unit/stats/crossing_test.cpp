@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/stats/moments.hpp"
 
 namespace jam {
 namespace {
@@ -46,6 +48,23 @@ TEST(Crossing, NoneIsAResult) {
 TEST(Crossing, SkipsMissingSamples) {
   const std::vector<double> x = {0, 1, 2}, y = {2, std::numeric_limits<double>::quiet_NaN(), 4};
   EXPECT_DOUBLE_EQ(*last_upward_crossing(x, y, 3), 1);
+}
+
+TEST(Crossing, OfTheMeanOfShiftedLinesIsTheMeanShift) {
+  // y = x - s: the mean crosses 3 at 3 + mean(s), and leaving one out shifts it like the mean itself.
+  const std::vector<double> x = {0, 2, 4, 6, 8}, shifts = {0.0, 0.3, 0.9, 0.4};
+  std::vector<std::vector<double>> curves;
+  for (const double s : shifts) {
+    std::vector<double> y;
+    for (const double t : x) y.push_back(t - s);
+    curves.push_back(y);
+  }
+  const Estimate e = crossing_of_mean(x, curves, 3);
+  EXPECT_NEAR(e.value, 3.4, 1e-12);
+  EXPECT_NEAR(e.error, moments(shifts).se, 1e-12);
+  EXPECT_EQ(e.n, 4u);
+  EXPECT_TRUE(std::isnan(crossing_of_mean(x, curves, 30).value));
+  EXPECT_TRUE(std::isnan(crossing_of_mean({}, {}, 3).value));
 }
 
 TEST(Crossing, RefusesUnsortedCurves) {

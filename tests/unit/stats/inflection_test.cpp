@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -52,6 +53,29 @@ TEST(Inflection, BootstrapErrorMatchesTheScatter) {
   const Moments m = moments(centres);
   EXPECT_NEAR(e.value, m.mean, 3e-4);
   EXPECT_NEAR(e.error, m.se, 0.35 * m.se);
+}
+
+TEST(Inflection, OfAJumpBetweenTwoSamplesIsBetweenThem) {
+  const std::vector<double> x = grid(31);  // spacing .01
+  std::vector<double> y;
+  for (const double t : x) y.push_back(t < 0.785 ? 0.2 : 3.2);
+  const auto found = fit_inflection(x, y);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->x, 0.785, 0.003);
+}
+
+TEST(Inflection, OfAContactNumberIsAtItsJump) {
+  // Z jumps to 3 over a width of about .002 and goes on like a square root.
+  const std::vector<double> x = grid(100);
+  std::vector<double> y;
+  for (const double t : x) {
+    const double above = std::max(0.0, t - 0.79);
+    y.push_back(0.3 * t + (3 + 3.5 * std::sqrt(above)) / (1 + std::exp(-(t - 0.79) / 0.002)));
+  }
+  const auto found = fit_inflection(x, y);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->x, 0.79, 0.002);
+  EXPECT_GT(found->height, 2);
 }
 
 TEST(Inflection, NoneIsAResult) {
