@@ -1,0 +1,160 @@
+#include "monitor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "jamscape/base/progress.hpp"
+
+namespace jam::app {
+namespace {
+
+constexpr double rate_window = 30;    // seconds over which the rate is averaged
+constexpr double json_interval = 10;  // seconds between lines of progress
+
+}  // namespace
+
+Monitor::Monitor(const Study& study, const std::vector<Task>& tasks, const std::vector<std::size_t>& mine, Show show,
+                 std::FILE* out)
+    : study_(study), tasks_(tasks), mine_(mine), show_(show), out_(out), states_(tasks.size()) {}
+
+Monitor::~Monitor() {
+  if (bar_drawn_) fmt::print(out_, "\r\033[K");
+}
+
+std::string Monitor::name(std::size_t task) const {
+  return fmt::format("{} {}", study_.systems[tasks_[task].system].name, tasks_[task].realisation + 1);
+}
+
+void Monitor::line(const std::string& text) {
+  if (bar_drawn_) fmt::print(out_, "\r\033[K");
+  bar_drawn_ = false;
+  fmt::print(out_, "{}\n", text);
+  std::fflush(out_);
+}
+
+void Monitor::event(std::size_t task, const char* what, const std::string& reason) {
+  if (show_ == Show::nothing) return;
+  if (show_ == Show::json) {
+    nlohmann::json json{{"event", what},
+                        {"task", tasks_[task].hash},
+                        {"system", study_.systems[tasks_[task].system].name},
+                        {"realisation", tasks_[task].realisation}};
+    if (!reason.empty()) json["reason"] = reason;
+    line(json.dump());
+  } else if (!reason.empty()) {
+    line(fmt::format("{} {}: {}", name(task), what, reason));
+  }
+}
+
+void Monitor::started(std::size_t task) {
+  const std::lock_guard lock(mutex_);
+  states_[task].phase = Phase::simulating;
+  event(task, "started");
+}
+
+void Monitor::progress(std::size_t task, const Progress& progress) {
+  const std::lock_guard lock(mutex_);
+  State& s = states_[task];
+  s.step = progress.step;
+  s.packing_fraction = progress.packing_fraction;
+  s.part = progress.steps > 0 ? static_cast<double>(progress.step) / static_cast<double>(progress.steps) : 0;
+  if (!s.seen) s.part_found = s.part, s.seen = true;
+}
+
+void Monitor::measuring(std::size_t task) {
+  const std::lock_guard lock(mutex_);
+  State& s = states_[task];
+  s.phase = Phase::measuring;
+  s.part = 1;
+  if (!s.seen) s.part_found = 1;
+}
+
+void Monitor::finished(std::size_t task, bool simulated) {
+  const std::lock_guard lock(mutex_);
+  states_[task].phase = Phase::ended;
+  event(task, simulated ? "finished" : "done before");
+}
+
+void Monitor::failed(std::size_t task, const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  State& s = states_[task];
+  s.part_found += 1 - s.part;  // what it did not do is behind us too, but was not gained
+  s.part = 1;
+  s.phase = Phase::ended;
+  ++failures_;
+  event(task, "failed", reason);
+}
+
+void Monitor::skipped(std::size_t task) {
+  const std::lock_guard lock(mutex_);
+  states_[task] = {Phase::ended, 1, 1, 0, 0, true};
+  event(task, "skipped", "another process works on it");
+}
+
+Monitor::Totals Monitor::totals() {
+  Totals t;
+  t.tasks = mine_.size();
+  t.lowest = 1e9;
+  for (const std::size_t k : mine_) {
+    const State& s = states_[k];
+    const double cost = tasks_[k].cost();
+    t.cost += cost;
+    t.behind += cost * s.part;
+    t.gained += cost * (s.part - s.part_found);
+    t.ended += s.phase == Phase::ended;
+    t.running += s.phase == Phase::simulating || s.phase == Phase::measuring;
+    if (s.phase != Phase::simulating || !s.seen) continue;
+    t.lowest = std::min(t.lowest, s.packing_fraction);
+    t.highest = std::max(t.highest, s.packing_fraction);
+  }
+  const double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  samples_.emplace_back(now, t.gained);
+  while (samples_.size() > 2 && now - samples_.front().first > rate_window) samples_.pop_front();
+  const double seconds = now - samples_.front().first;
+  if (seconds > 0) t.rate = (t.gained - samples_.front().second) / seconds;
+  if (t.rate > 0) t.seconds_left = (t.cost - t.behind) / t.rate;
+  return t;
+}
+
+void Monitor::draw_bar(const Totals& t) {
+  std::vector<std::string> notes = {fmt::format("{}/{} runs", t.ended, t.tasks)};
+  if (failures_ > 0) notes.push_back(fmt::format("{} failed", failures_));
+  if (t.highest > 0) {
+    notes.push_back(t.highest - t.lowest < 5e-4 ? fmt::format("phi {:.3f}", t.highest)
+                                                : fmt::format("phi {:.3f}-{:.3f}", t.lowest, t.highest));
+    notes.push_back(fmt::format("{:.1f} M grain-steps/s", t.rate / 1e6));
+    notes.push_back(print_duration(t.seconds_left) + " left");
+  }
+  fmt::print(out_, "\r{}\033[K", print_bar(t.cost > 0 ? t.behind / t.cost : 0, notes, terminal_width() - 1));
+  std::fflush(out_);
+  bar_drawn_ = true;
+}
+
+void Monitor::print_json(const Totals& t) {
+  const double now = samples_.back().first;
+  if (now - last_json_ < json_interval && t.ended < t.tasks) return;
+  last_json_ = now;
+  nlohmann::json json{{"event", "progress"},     {"done", t.ended},     {"tasks", t.tasks}, {"running", t.running},
+                      {"failed", failures_},     {"grain_steps_per_second", t.rate},
+                      {"fraction", t.cost > 0 ? t.behind / t.cost : 1.0}};
+  if (t.seconds_left >= 0) json["seconds_left"] = t.seconds_left;
+  for (const std::size_t k : mine_)
+    if (const State& s = states_[k]; s.phase == Phase::simulating && s.seen)
+      json["runs"].push_back({{"task", tasks_[k].hash}, {"step", s.step}, {"steps", tasks_[k].plan.steps},
+                              {"packing_fraction", s.packing_fraction}});
+  line(json.dump());
+}
+
+void Monitor::tick() {
+  if (show_ == Show::nothing) return;
+  const std::lock_guard lock(mutex_);
+  const Totals t = totals();
+  if (show_ == Show::bar)
+    draw_bar(t);
+  else
+    print_json(t);
+}
+
+}  // namespace jam::app

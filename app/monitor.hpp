@@ -1,0 +1,71 @@
+// How a run is shown while it goes: a bar on a terminal, lines of JSON elsewhere, or nothing.
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jamscape/study/run.hpp"
+#include "jamscape/study/study.hpp"
+
+namespace jam::app {
+
+enum class Show { bar, json, nothing };
+
+class Monitor : public RunListener {
+ public:
+  /// `mine` are the tasks of this runner; `out` is where it is shown.
+  Monitor(const Study& study, const std::vector<Task>& tasks, const std::vector<std::size_t>& mine, Show show, std::FILE* out);
+  ~Monitor() override;
+
+  void started(std::size_t task) override;
+  void progress(std::size_t task, const Progress& progress) override;
+  void measuring(std::size_t task) override;
+  void finished(std::size_t task, bool simulated) override;
+  void failed(std::size_t task, const std::string& reason) override;
+  void skipped(std::size_t task) override;
+  void tick() override;
+
+ private:
+  enum class Phase { waiting, simulating, measuring, ended };
+  struct State {
+    Phase phase = Phase::waiting;
+    double part = 0;        ///< of its cost that is behind us
+    double part_found = 0;  ///< of that, what was there when it started
+    double packing_fraction = 0;
+    std::int64_t step = 0;
+    bool seen = false;
+  };
+  struct Totals {
+    double cost = 0, behind = 0, gained = 0;
+    std::size_t ended = 0, running = 0, tasks = 0;
+    double lowest = 0, highest = 0;  ///< packing fractions of running tasks
+    double rate = 0, seconds_left = -1;
+  };
+
+  Totals totals();
+  std::string name(std::size_t task) const;
+  void event(std::size_t task, const char* what, const std::string& reason = {});
+  void line(const std::string& text);
+  void draw_bar(const Totals& t);
+  void print_json(const Totals& t);
+
+  const Study& study_;
+  const std::vector<Task>& tasks_;
+  std::vector<std::size_t> mine_;
+  Show show_;
+  std::FILE* out_;
+  std::mutex mutex_;
+  std::vector<State> states_;
+  std::size_t failures_ = 0;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::deque<std::pair<double, double>> samples_;  ///< seconds, grain-steps gained by then
+  double last_json_ = -1e9;
+  bool bar_drawn_ = false;
+};
+
+}  // namespace jam::app

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "commands.hpp"
+#include "find_study.hpp"
+#include "jamscape/base/progress.hpp"
+#include "jamscape/base/stop_signal.hpp"
+#include "jamscape/base/threads.hpp"
+#include "jamscape/study/measure_task.hpp"
+#include "jamscape/study/results.hpp"
+#include "jamscape/study/run.hpp"
+#include "monitor.hpp"
+#include "write_results.hpp"
+
+namespace jam::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunArguments {
+  std::string study, out, shard = "1/1";
+  std::vector<std::string> settings;
+  int jobs = 0;
+  double checkpoint = 60;
+  bool dry_run = false, json = false, quiet = false, strict = false;
+};
+
+/// What a simple estimate takes for granted until the run itself measures: grain-steps a second of one core.
+constexpr double assumed_rate = 5e7;
+
+ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunArguments& a, int jobs) {
+  const std::vector<std::size_t> order = order_tasks(tasks, read_shard(a.shard));
+  double cost = 0;
+  nlohmann::json list = nlohmann::json::array();
+  for (const std::size_t k : order) {
+    const Task& t = tasks[k];
+    const std::string& system = study.systems[t.system].name;
+    cost += t.cost();
+    if (a.json)
+      list.push_back({{"task", t.hash}, {"system", system}, {"realisation", t.realisation}, {"steps", t.plan.steps},
+                      {"grains", t.plan.bodies}, {"frames", t.plan.frames.size()}});
+    else
+      fmt::print("{}  {:24}  realisation {:3}  {:6} grains  {:10} steps  {:4} frames\n", t.hash, system, t.realisation,
+                 t.plan.bodies, t.plan.steps, t.plan.frames.size());
+  }
+  const double seconds = cost / assumed_rate / std::max(1, std::min(jobs, static_cast<int>(order.size())));
+  if (a.json)
+    fmt::print("{}\n", nlohmann::json{{"tasks", list}, {"grain_steps", cost}, {"seconds_estimated", seconds}}.dump());
+  else
+    fmt::print("{} runs, {:.2g} grain-steps, roughly {} on {} cores; nothing was run\n", order.size(), cost,
+               print_duration(seconds), jobs);
+  return ExitCode::done;
+}
+
+ExitCode run(const RunArguments& a) {
+  // A folder of results holds its own study: naming it goes on with it.
+  std::error_code ignored;
+  const bool resume = fs::is_directory(a.study, ignored);
+  const Study study = find_study(resume ? (fs::path(a.study) / "study.toml").string() : a.study, a.settings);
+  const fs::path out = !a.out.empty() ? fs::path(a.out) : resume ? fs::path(a.study) : fs::path("results") / study.info.name;
+  RunOptions options;
+  options.jobs = a.jobs > 0 ? a.jobs : usable_cores();
+  options.shard = read_shard(a.shard);
+  options.checkpoint_interval = a.checkpoint;
+  options.stop = stop_requested;
+  chosen_measures(study);
+  const std::vector<Task> tasks = list_tasks(study);
+  if (a.dry_run) return dry_run(study, tasks, a, options.jobs);
+
+  check_results(out, study);
+  make_folder(out);
+  const RunnerLock lock(out, options.shard);
+  write_results_study(out, study);
+  watch_stop_signals();
+
+  RunResult result;
+  {
+    const Show show = a.quiet ? Show::nothing : a.json || !progress_terminal() ? Show::json : Show::bar;
+    Monitor monitor(study, tasks, order_tasks(tasks, options.shard), show, a.json ? stdout : stderr);
+    result = run_tasks(study, tasks, out, options, monitor);
+  }
+  if (result.interrupted) {
+    fmt::print(stderr, "interrupted; the same command goes on where it stopped\n");
+    return ExitCode::interrupted;
+  }
+  if (result.failed > 0)
+    fmt::print(stderr, "{} of {} runs failed; `jamscape status {}` says why\n", result.failed, result.failed + result.done,
+               out.string());
+  if (!result.complete) {
+    fmt::print(stderr, "this share is done; tables and report are written when the last share ends\n");
+    return result.failed > 0 ? ExitCode::some_failed : ExitCode::done;
+  }
+  write_results(study, tasks, out, a.json ? Summary::json : a.quiet ? Summary::none : Summary::text);
+  return result.failed > 0 ? ExitCode::some_failed : ExitCode::done;
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Action& action) {
+  CLI::App* sub = program.add_subcommand("run", "Simulate and measure a study; run again, it goes on where it stopped");
+  auto a = std::make_shared<RunArguments>();
+  sub->add_option("study", a->study, "study file, name of a built-in study, or a folder of results to go on with")->required();
+  sub->add_option("--out,-o", a->out, "folder of results (default: results/NAME)");
+  sub->add_option("--jobs,-j", a->jobs, "simulations at a time (default: one a core)")->check(CLI::Range(1, 4096));
+  sub->add_option("--shard", a->shard, "do only the i-th of n shares of the study: i/n");
+  sub->add_option("--set", a->settings, "change an option: key=value, may be repeated")->allow_extra_args(false);
+  sub->add_option("--checkpoint", a->checkpoint, "seconds between checkpoints of a simulation")->check(CLI::Range(0.0, 1e6));
+  sub->add_flag("--dry-run", a->dry_run, "list the simulations and what they cost; run nothing");
+  sub->add_flag("--json", a->json, "progress and summary as lines of JSON on standard output");
+  sub->add_flag("--quiet,-q", a->quiet, "say nothing but errors");
+  sub->add_flag("--strict", a->strict, "end with exit code 4 when a relaxation did not converge");
+  sub->callback([a, &action] { action = [a] { return run(*a); }; });
+}
+
+}  // namespace jam::app

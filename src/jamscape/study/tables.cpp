@@ -1,0 +1,164 @@
+#include "jamscape/study/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/base/files.hpp"
+#include "jamscape/io/aside.hpp"
+#include "jamscape/study/measure_task.hpp"
+#include "jamscape/study/task_folder.hpp"
+
+namespace jam {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file written piece by piece beside its place, and renamed when whole.
+class TableFile {
+ public:
+  explicit TableFile(const fs::path& path) : aside_(path), out_(aside_.path(), std::ios::binary | std::ios::trunc) {}
+
+  void add(std::string_view text) { out_.write(text.data(), static_cast<std::streamsize>(text.size())); }
+  void finish() {
+    out_.close();
+    if (!out_) throw data_error("cannot write a table", aside_.path().string(), "make room on the disk and run again");
+    aside_.commit();
+  }
+
+ private:
+  Aside aside_;
+  std::ofstream out_;
+};
+
+/// A task that is done, with what stands in front of its rows.
+struct DoneTask {
+  const Task* task;
+  TaskFolder folder;
+  std::vector<std::size_t> stored;  ///< index in run.h5 of each planned frame
+  std::vector<std::string> leading;
+};
+
+std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks, const fs::path& results,
+                                const VariedColumns& varied) {
+  std::vector<DoneTask> done;
+  for (const Task& task : tasks) {
+    DoneTask d{&task, TaskFolder(results, task.hash), {}, {}};
+    if (!has_all_frames(d.folder, task.plan)) continue;
+    const RunFile run(d.folder.run_file());
+    d.stored = stored_frames(run, task.plan).value();
+    for (std::size_t f = 0; f < d.stored.size(); ++f) {
+      const Packing p = run.frame(d.stored[f]);
+      d.leading.push_back(fmt::format("{},{}{},{},{},{},{},{},{},{}", csv_field(study.systems[task.system].name),
+                                      task.realisation, varied.of_system[task.system], f,
+                                      csv_field(task.plan.frames[f].stage), p.step, p.time,
+                                      task.plan.frames[f].packing_fraction, p.packing_fraction, p.packing_fraction_plain));
+    }
+    done.push_back(std::move(d));
+  }
+  return done;
+}
+
+std::string leading_header(const VariedColumns& varied) {
+  return fmt::format(
+      "system,realisation{},frame,stage,step,time,packing_fraction_target,packing_fraction,packing_fraction_plain",
+      varied.header);
+}
+
+void write_frames_table(const std::vector<DoneTask>& done, const std::vector<const Measure*>& per_frame,
+                        const std::string& header, const fs::path& path) {
+  TableFile file(path);
+  std::string line = header;
+  for (const Measure* m : per_frame)
+    for (const ColumnInfo& c : m->columns) line += "," + c.name;
+  file.add(line + "\n");
+  for (const DoneTask& d : done) {
+    std::vector<CachedRows> rows;
+    for (const Measure* m : per_frame) rows.push_back(read_cached_rows(d.folder, *m));
+    for (std::size_t f = 0; f < d.stored.size(); ++f) {
+      line = d.leading[f];
+      for (std::size_t k = 0; k < per_frame.size(); ++k) {
+        const auto& lines = rows[k].lines;
+        if (d.stored[f] >= lines.size() || lines[d.stored[f]].size() != 1)
+          throw data_error(fmt::format("frame {} of the measure '{}' is missing", f, per_frame[k]->name),
+                           d.folder.tables().string(), "jamscape measure DIR --again");
+        line.append(1, ',').append(lines[d.stored[f]].front());
+      }
+      file.add(line + "\n");
+    }
+  }
+  file.finish();
+}
+
+void write_measure_table(const std::vector<DoneTask>& done, const Measure& measure, const std::string& header,
+                         const fs::path& path) {
+  TableFile file(path);
+  std::string line = header;
+  for (const ColumnInfo& c : measure.columns) line += "," + c.name;
+  file.add(line + "\n");
+  for (const DoneTask& d : done) {
+    const CachedRows rows = read_cached_rows(d.folder, measure);
+    for (std::size_t f = 0; f < d.stored.size(); ++f) {
+      if (d.stored[f] >= rows.lines.size()) continue;
+      for (const std::string& values : rows.lines[d.stored[f]]) file.add(d.leading[f] + "," + values + "\n");
+    }
+  }
+  file.finish();
+}
+
+}  // namespace
+
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  quoted += '"';
+  return quoted;
+}
+
+VariedColumns varied_columns(const Study& study) {
+  VariedColumns varied;
+  varied.of_system.resize(study.systems.size());
+  for (const std::string& key : varied_options(study)) {
+    varied.header += "," + key;
+    for (std::size_t s = 0; s < study.systems.size(); ++s) {
+      SystemOptions options = study.systems[s].options;
+      for (const Option& o : system_options(options)) {
+        if (o.key != key) continue;
+        if (const auto* number = std::get_if<double*>(&o.target)) {
+          varied.of_system[s] += fmt::format(",{}", **number);
+          continue;
+        }
+        std::string value = print_value(o);
+        if (value.size() >= 2 && value.front() == '"') value = value.substr(1, value.size() - 2);
+        varied.of_system[s] += fmt::format(",{}", csv_field(value));
+      }
+    }
+  }
+  return varied;
+}
+
+void write_tables(const Study& study, const std::vector<Task>& tasks, const fs::path& results) {
+  const VariedColumns varied = varied_columns(study);
+  const std::vector<const Measure*> chosen = chosen_measures(study);
+  const std::vector<DoneTask> done = find_done(study, tasks, results, varied);
+  const std::string header = leading_header(varied);
+  make_folder(results / "tables");
+  std::vector<const Measure*> per_frame;
+  for (const Measure* m : chosen)
+    if (m->rows == Rows::frame)
+      per_frame.push_back(m);
+    else
+      write_measure_table(done, *m, header, results / "tables" / (m->name + ".csv"));
+  write_frames_table(done, per_frame, header, results / "tables" / "frames.csv");
+  for (const Measure& m : measures()) {
+    if (m.rows == Rows::frame || std::find(chosen.begin(), chosen.end(), &m) != chosen.end()) continue;
+    std::error_code ignored;
+    fs::remove(results / "tables" / (m.name + ".csv"), ignored);
+    fs::remove(results / "ensemble" / (m.name + ".csv"), ignored);
+  }
+}
+
+}  // namespace jam

@@ -1,0 +1,32 @@
+// DIR/tables/*.csv: all tasks' rows side by side, tidy. Leading columns
+//
+//   system, realisation, <options that differ between systems>, frame, stage, step, time,
+//   packing_fraction_target, packing_fraction, packing_fraction_plain
+//
+// then the measure's. Measures of one row a frame share `frames.csv`; the others have a file of their own. `frame` is the
+// index in the plan, `realisation` counts from 0. Only tasks that are done appear, in the order of the study.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "jamscape/study/study.hpp"
+#include "jamscape/study/task.hpp"
+
+namespace jam {
+
+/// Measures what is missing has been done before (measure_task.hpp). Tables of measures no longer wanted are removed.
+void write_tables(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results);
+
+/// The values of the varied options of each system, as CSV fields with a comma in front of each; `header` likewise.
+struct VariedColumns {
+  std::string header;
+  std::vector<std::string> of_system;
+};
+VariedColumns varied_columns(const Study& study);
+
+/// A CSV field: quoted where it must be (RFC 4180).
+std::string csv_field(std::string_view text);
+
+}  // namespace jam
