@@ -1,8 +1,6 @@
 #include "jamscape/observe/bond_order.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <span>
 
 #include "jamscape/observe/entry.hpp"
@@ -10,20 +8,33 @@
 namespace jam {
 namespace {
 
-using Complex = std::complex<double>;
+// exp(6 i theta); plain arithmetic, as std::complex looks for infinities in every product.
+struct Phase {
+  double re = 0, im = 0;
+};
 
 struct Bond {
   double order;  // increases with the angle in [-pi, pi)
-  Complex six;   // exp(6 i theta)
+  Phase six;
 };
 
 Bond bond(double x, double y) {
-  const Complex z(x, y), cube = z * z * z;
+  const double re2 = x * x - y * y, im2 = 2 * x * y;
+  const double re3 = re2 * x - im2 * y, im3 = re2 * y + im2 * x;
   const bool lower = y < 0 || (y == 0 && x < 0);
-  return {lower ? x - 1 : 1 - x, cube * cube};
+  return {lower ? x - 1 : 1 - x, {re3 * re3 - im3 * im3, 2 * re3 * im3}};
 }
 
-double cos_of_gap(const Bond& a, const Bond& b) { return a.six.real() * b.six.real() + a.six.imag() * b.six.imag(); }
+double cos_of_gap(const Bond& a, const Bond& b) { return a.six.re * b.six.re + a.six.im * b.six.im; }
+
+void sort_bonds(std::span<Bond> b) {  // a handful: insertion
+  for (std::size_t k = 1; k < b.size(); ++k) {
+    const Bond moved = b[k];
+    std::size_t at = k;
+    for (; at > 0 && moved.order < b[at - 1].order; --at) b[at] = b[at - 1];
+    b[at] = moved;
+  }
+}
 
 // The bonds of all grains, one grain after another.
 struct BondList {
@@ -39,9 +50,8 @@ BondList list_bonds(const Packing& packing, const Bonds& pairs) {
   std::vector<std::uint32_t> next(list.begin.begin(), list.begin.end() - 1);
   for (const std::uint32_t c : pairs.contact) {
     const Vec3& n = packing.contacts.normal[c];
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1]), x = n[0] / length, y = n[1] / length;
-    list.bonds[next[packing.contacts.i[c]]++] = bond(x, y);
-    list.bonds[next[static_cast<std::size_t>(packing.contacts.j[c])]++] = bond(-x, -y);
+    list.bonds[next[packing.contacts.i[c]]++] = bond(n[0], n[1]);
+    list.bonds[next[static_cast<std::size_t>(packing.contacts.j[c])]++] = bond(-n[0], -n[1]);
   }
   return list;
 }
@@ -53,26 +63,27 @@ BondOrder bond_order(const Packing& packing, const Bonds& pairs) {
   const std::size_t grains = pairs.grains.size();
   if (grains == 0 || packing.dimension != 2) return sum;
   BondList list = list_bonds(packing, pairs);
-  Complex all = 0;
+  Phase all;
   for (std::size_t i = 0; i < grains; ++i) {
     const std::span<Bond> b(list.bonds.data() + list.begin[i], pairs.grains[i]);
     if (b.size() < 2) continue;
-    std::sort(b.begin(), b.end(), [](const Bond& p, const Bond& q) { return p.order < q.order; });
+    sort_bonds(b);
     const auto n = static_cast<double>(b.size());
     double gaps = 0;
-    Complex mean = b[0].six;
+    Phase mean = b[0].six;
     for (std::size_t k = 1; k < b.size(); ++k) {
       gaps += cos_of_gap(b[k - 1], b[k]);
-      mean += b[k].six;
+      mean.re += b[k].six.re;
+      mean.im += b[k].six.im;
     }
-    mean /= n;
     sum.printed += gaps / (n - 1);
     sum.closed += (gaps + cos_of_gap(b.back(), b.front())) / n;
-    sum.local += std::abs(mean);
-    all += mean;
+    sum.local += std::sqrt(mean.re * mean.re + mean.im * mean.im) / n;
+    all.re += mean.re / n;
+    all.im += mean.im / n;
   }
   const auto n = static_cast<double>(grains);
-  return {sum.printed / n, sum.closed / n, sum.local / n, std::abs(all) / n};
+  return {sum.printed / n, sum.closed / n, sum.local / n, std::sqrt(all.re * all.re + all.im * all.im) / n};
 }
 
 Measure bond_order_measure() {

@@ -1,11 +1,13 @@
 #include "jamscape/observe/force_network.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace jam {
 namespace {
 
 double edge_force(const Contacts& k, std::size_t c, EdgeForce which) {
+  if (which == EdgeForce::normal && next_of_pair(k, c) == k.size()) return std::abs(k.normal_force[c]);
   return norm(which == EdgeForce::normal ? normal_force_of_pair(k, c) : total_force_of_pair(k, c));
 }
 
