@@ -97,7 +97,7 @@ std::optional<FileLock> FileLock::try_lock(const std::filesystem::path& path, Lo
     if (errno == EWOULDBLOCK) return std::nullopt;
     throw system_error("lock", path, errno);
   }
-  if (mode == LockMode::exclusive && ::ftruncate(file.get(), 0) == 0)
+  if (::ftruncate(file.get(), 0) == 0 && mode == LockMode::exclusive)
     static_cast<void>(write_all(file.get(), fmt::format("{}\n", ::getpid())));
   return FileLock(file.release());
 }
