@@ -18,7 +18,7 @@ class BitColumn {
     std::size_t total = 0;
     levels_ = 0;
     do {
-      rows = (rows + 63) / 64;
+      rows = rows > 64 ? (rows + 63) / 64 : 1;
       begin_[levels_++] = total;
       total += rows;
     } while (rows > 1);

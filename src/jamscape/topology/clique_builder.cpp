@@ -41,19 +41,23 @@ void CliqueBuilder::add(std::span<const CommonNeighbour> common) {
       chosen_.assign(1, i);
       if (begins_class()) triangles.partner[triangles.count() - n + i] = kCleared;
     }
-  } else {
+    return;
+  }
+  for (std::uint32_t k = 3; k <= dimension_; ++k) {  // facets must be there before the cliques they bound
+    const auto before = cliques_[k - 2].count();
     chosen_.clear();
-    grow(2, 0);
+    choose(k, 0);
+    if (cliques_[k - 2].count() == before) break;
   }
 }
 
-void CliqueBuilder::grow(std::uint32_t dimension, std::size_t next) {
+void CliqueBuilder::choose(std::uint32_t dimension, std::size_t next) {
+  if (chosen_.size() + 1 == dimension) return add_larger(dimension);
   for (std::size_t i = next; i < common_.size(); ++i) {
     const auto linked_to_i = [&](std::size_t c) { return link(c, i) != OlderGraph::kNone; };
     if (!std::all_of(chosen_.begin(), chosen_.end(), linked_to_i)) continue;
     chosen_.push_back(i);
-    if (dimension > 2) add_larger(dimension);
-    if (dimension < dimension_) grow(dimension + 1, i + 1);
+    choose(dimension, i + 1);
     chosen_.pop_back();
   }
 }

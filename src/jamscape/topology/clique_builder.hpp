@@ -25,7 +25,7 @@ class CliqueBuilder {
 
  private:
   std::uint32_t link(std::size_t i, std::size_t j) const { return links_[i * common_.size() + j]; }
-  void grow(std::uint32_t dimension, std::size_t next);
+  void choose(std::uint32_t dimension, std::size_t next);
   void add_larger(std::uint32_t dimension);
   bool begins_class() const;
   std::uint32_t facet_of_group(std::uint32_t dimension, std::size_t left_out);

@@ -1,0 +1,60 @@
+// The same diagrams by GUDHI (Maria et al. 2014): its complexes grow with the value, so cells enter at minus ours;
+// vertex values are given, cliques get theirs by expansion. Classes of the last dimension must be asked for, else the
+// loops of a network without triangles are missing.
+#pragma once
+
+#include <gudhi/Persistent_cohomology.h>
+#include <gudhi/Simplex_tree.h>
+
+#include <algorithm>
+#include <iostream>  // GUDHI 3.7 uses std::cout without it
+#include <tuple>
+#include <vector>
+
+#include "jamscape/topology/persistence.hpp"
+
+namespace jam::examples {
+
+/// dimension, birth, death, essential; zero-length pairs left out, essential classes die at 0.
+using Point = std::tuple<int, double, double, bool>;
+
+/// Complex built and reduced, as much as has to be done for an answer.
+inline std::vector<Point> gudhi_diagram(const WeightedGraph& graph, const PersistenceOptions& options = {}) {
+  using Tree = Gudhi::Simplex_tree<>;
+  using Cohomology = Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Gudhi::persistent_cohomology::Field_Zp>;
+  std::vector<double> value(graph.vertices, 0);
+  for (std::size_t e = 0; e < graph.edges(); ++e) {
+    for (const auto v : {graph.from[e], graph.to[e]}) value[v] = std::max(value[v], graph.weight[e]);
+  }
+  Tree tree;
+  const auto vertex = [](std::uint32_t v) { return static_cast<Tree::Vertex_handle>(v); };
+  for (std::uint32_t v = 0; v < graph.vertices; ++v) tree.insert_simplex(std::vector{vertex(v)}, -value[v]);
+  if (options.max_dimension > 0 || graph.edges() > 0) {
+    for (std::size_t e = 0; e < graph.edges(); ++e) {
+      tree.insert_simplex(std::vector{vertex(graph.from[e]), vertex(graph.to[e])}, -graph.weight[e]);
+    }
+  }
+  if (options.triangles == Triangles::fill) tree.expansion(options.max_dimension + 1);
+
+  Cohomology cohomology(tree, true);
+  cohomology.init_coefficients(2);
+  cohomology.compute_persistent_cohomology(0);
+  std::vector<Point> points;
+  for (const auto& [birth, death, field] : cohomology.get_persistent_pairs()) {
+    const int dimension = tree.dimension(birth);
+    if (dimension > options.max_dimension) continue;
+    const bool essential = death == tree.null_simplex();
+    points.emplace_back(dimension, -tree.filtration(birth), essential ? 0 : -tree.filtration(death), essential);
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+inline std::vector<Point> points(const Diagram& diagram) {
+  std::vector<Point> points;
+  for (const auto& p : diagram.pairs) points.emplace_back(p.dimension, p.birth, p.death, p.essential);
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+}  // namespace jam::examples
