@@ -49,7 +49,7 @@ Measure stress_measure() {
         };
         const double trace = t[0][0] + t[1][1] + t[2][2];
         return std::vector<double>{
-            t[0][0], t[1][1], shear(0, 1), t[2][2], shear(0, 2), shear(1, 2), -trace / s.packing().dimension};
+            t[0][0], t[1][1], shear(0, 1), t[2][2], shear(0, 2), shear(1, 2), (0 - trace) / s.packing().dimension};
       });
 }
 
