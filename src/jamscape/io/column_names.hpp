@@ -1,0 +1,20 @@
+// Columns by any of the names they go by.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jamscape/io/csv.hpp"
+
+namespace jam {
+
+/// The names a column may have, the usual one first; capitals do not matter.
+using ColumnNames = std::vector<std::string>;
+
+std::optional<std::size_t> find_column(const CsvFile& csv, const ColumnNames& names);
+
+/// Throws a data error that says what there is and which of it may be meant.
+std::size_t need_column(const CsvFile& csv, const ColumnNames& names, const std::string& what);
+
+}  // namespace jam
