@@ -1,0 +1,48 @@
+// The parts of the page's data, one idea each (web/src/data.ts reads them). A block is null when the results have
+// nothing for it. Systems are named by their index in the study.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "jamscape/report/json.hpp"
+#include "jamscape/report/pictures.hpp"
+#include "jamscape/report/results.hpp"
+
+namespace jam {
+
+/// Title, program, and each system with its options and realisations.
+Json study_block(const Results& results);
+
+/// ensemble/transitions.csv
+Json transitions_block(const Results& results);
+
+/// tables/score.csv as text
+Json score_block(const Results& results);
+
+/// Every quantity of ensemble/frames.csv over packing fraction.
+Json frames_block(const Results& results);
+
+/// Which frames of a measure with several rows a frame are shown.
+enum class FrameChoice { last, even };
+
+struct ManyChoice {
+  std::string measure;
+  FrameChoice frames;
+  double from;     ///< smallest packing fraction shown
+  double longest;  ///< largest abscissa shown
+};
+
+/// The measures shown, and how.
+std::vector<ManyChoice> many_choices();
+
+/// ensemble/<measure>.csv
+Json many_block(const Results& results, const ManyChoice& choice);
+
+/// Packings and forces, two dimensions only.
+Json networks_block(const std::vector<PictureSource>& sources);
+
+/// Persistence diagrams of the same packings.
+Json diagrams_block(const std::vector<PictureSource>& sources);
+
+}  // namespace jam

@@ -1,0 +1,127 @@
+// Blocks of single packings: what the force network looks like, and its persistence diagrams.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "jamscape/io/csv.hpp"
+#include "jamscape/io/run_file.hpp"
+#include "jamscape/report/blocks.hpp"
+#include "jamscape/report/drawing.hpp"
+
+namespace jam {
+namespace {
+
+/// Positions leave the picture only by a periodic image; it is clipped there.
+Json drawing_json(const Drawing& d) {
+  const double radius_max = d.radius.empty() ? 1 : *std::max_element(d.radius.begin(), d.radius.end());
+  const double force_max = d.force.empty() ? 1 : *std::max_element(d.force.begin(), d.force.end());
+  // One scale for x and y, from a margin of a diameter around the picture, so that images keep their place.
+  const double margin = 2 * radius_max;
+  const std::array<double, 4> range = {d.extent[0] - margin, d.extent[1] - margin, d.extent[2] + margin,
+                                       d.extent[3] + margin};
+  const bool wide = d.x.size() > 65535;
+  Json out;
+  out["extent"] = {rounded(d.extent[0], 7), rounded(d.extent[1], 7), rounded(d.extent[2], 7), rounded(d.extent[3], 7)};
+  out["range"] = {rounded(range[0], 7), rounded(range[1], 7), rounded(range[2], 7), rounded(range[3], 7)};
+  out["grains"] = d.grains;
+  out["beads"] = d.beads;
+  out["nodes"] = d.x.size();
+  out["x"] = packed_words(d.x, range[0], range[2]);
+  out["y"] = packed_words(d.y, range[1], range[3]);
+  out["radius"] = packed_words(d.radius, 0, radius_max);
+  out["radius_max"] = rounded(radius_max);
+  out["contacts"] = d.lines();
+  out["pairs"] = packed_indices(d.ends, wide);
+  out["force"] = packed_words(d.force, 0, force_max);
+  out["force_max"] = rounded(force_max);
+  return out;
+}
+
+struct Points {
+  std::vector<double> birth_death;  // two a point
+  std::string essential;            // one byte a point
+};
+
+/// Points by frame and dimension.
+std::map<std::int64_t, std::map<int, Points>> diagrams_by_frame(const Table& table) {
+  const std::vector<double> frame = table.numbers("frame");
+  const std::vector<double> dimension = table.numbers("dimension");
+  const std::vector<double> birth = table.numbers("birth");
+  const std::vector<double> death = table.numbers("death");
+  const std::vector<double> essential = table.numbers("essential");
+  std::map<std::int64_t, std::map<int, Points>> out;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    Points& points = out[static_cast<std::int64_t>(frame[k])][static_cast<int>(dimension[k])];
+    points.birth_death.push_back(birth[k]);
+    points.birth_death.push_back(death[k]);
+    points.essential.push_back(essential[k] != 0 ? '\1' : '\0');
+  }
+  return out;
+}
+
+Json diagram_json(const std::map<int, Points>& dimensions) {
+  double largest = 1;
+  int last = 1;
+  for (const auto& [dimension, points] : dimensions) {
+    last = std::max(last, dimension);
+    for (const double value : points.birth_death) largest = std::max(largest, value);
+  }
+  Json list = Json::array();
+  for (int dimension = 0; dimension <= last; ++dimension) {
+    const auto found = dimensions.find(dimension);
+    const Points points = found != dimensions.end() ? found->second : Points{};
+    list.push_back({{"pairs", points.essential.size()},
+                    {"values", packed_words(points.birth_death, 0, largest)},
+                    {"essential", base64(points.essential)}});
+  }
+  return {{"dimensions", std::move(list)}, {"value_max", rounded(largest)}};
+}
+
+/// One list of frames per system, or null when all are empty.
+template <class Frames>
+Json per_system(const std::vector<PictureSource>& sources, const Frames& frames_of) {
+  Json systems = Json::array();
+  bool any = false;
+  for (const PictureSource& source : sources) {
+    Json frames = source.frames.empty() ? Json::array() : frames_of(source);
+    any = any || !frames.empty();
+    systems.push_back(std::move(frames));
+  }
+  return any ? Json{{"systems", std::move(systems)}} : Json();
+}
+
+Json labelled(const PictureSource& source, const PictureFrame& frame, Json data) {
+  data["rho"] = rounded(frame.rho, 6);
+  data["realisation"] = source.task.realisation;
+  return data;
+}
+
+}  // namespace
+
+Json networks_block(const std::vector<PictureSource>& sources) {
+  return per_system(sources, [](const PictureSource& source) {
+    Json frames = Json::array();
+    const RunFile run(source.folder.run_file());
+    for (const PictureFrame& frame : source.frames) {
+      const Packing packing = run.frame(frame.stored);
+      if (packing.dimension == 2) frames.push_back(labelled(source, frame, drawing_json(drawing(packing))));
+    }
+    return frames;
+  });
+}
+
+Json diagrams_block(const std::vector<PictureSource>& sources) {
+  return per_system(sources, [](const PictureSource& source) {
+    Json frames = Json::array();
+    const std::filesystem::path file = source.folder.tables() / "diagram.csv";
+    if (!std::filesystem::exists(file)) return frames;
+    const auto by_frame = diagrams_by_frame(read_csv(file));
+    for (const PictureFrame& frame : source.frames)
+      if (const auto found = by_frame.find(static_cast<std::int64_t>(frame.stored)); found != by_frame.end())
+        frames.push_back(labelled(source, frame, diagram_json(found->second)));
+    return frames;
+  });
+}
+
+}  // namespace jam

@@ -1,0 +1,106 @@
+// Blocks that say what was simulated and what came out in single numbers.
+#include <algorithm>
+#include <cmath>
+
+#include "jamscape/base/schema.hpp"
+#include "jamscape/report/blocks.hpp"
+#include "jamscape/report/ensemble.hpp"
+
+namespace jam {
+namespace {
+
+Json option_value(const Option& option) {
+  if (const auto* number = std::get_if<double*>(&option.target)) return rounded(**number, 8);
+  if (const auto* whole = std::get_if<std::int64_t*>(&option.target)) return **whole;
+  if (const auto* text = std::get_if<std::string*>(&option.target)) return **text;
+  if (const auto* name = std::get_if<EnumTarget>(&option.target)) return std::string(name->names[name->get()]);
+  return print_value(option);
+}
+
+/// Options of a system by key. The width of a size distribution that has none is 0.
+Json options_json(SystemOptions system) {
+  Json out = Json::object();
+  for (const Option& option : system_options(system)) {
+    if (std::holds_alternative<std::vector<double>*>(option.target)) continue;
+    out[option.key] = option_value(option);
+  }
+  if (system.grains.sizes == SizeLaw::monodisperse) out["grains.width"] = 0;
+  if (system.grains.sizes == SizeLaw::bidisperse) out.erase("grains.width");
+  if (!system.stages.empty()) out["speed"] = rounded(system.stages.back().speed, 8);
+  return out;
+}
+
+}  // namespace
+
+Json study_block(const Results& results) {
+  const Study& study = results.study;
+  std::vector<std::int64_t> done(study.systems.size(), 0);
+  if (const auto table = results.table("ensemble/frames.csv")) {
+    const std::vector<SystemRows> rows = ensemble_rows(results, *table, "");
+    for (std::size_t k = 0; k < rows.size(); ++k) done[k] = rows[k].realisations;
+  }
+  std::vector<std::string> varied = varied_options(study);
+  // A monodisperse system next to polydisperse ones differs in the law of sizes; people call that width 0.
+  const bool widths = std::find(varied.begin(), varied.end(), "grains.width") != varied.end();
+  if (widths) std::erase(varied, "grains.sizes");
+
+  Json systems = Json::array();
+  for (std::size_t k = 0; k < study.systems.size(); ++k) {
+    Json options = options_json(study.systems[k].options);
+    Json swept = Json::object();
+    for (const std::string& key : varied)
+      if (options.contains(key)) swept[key] = options[key];
+    systems.push_back({{"name", study.systems[k].name},
+                       {"swept", std::move(swept)},
+                       {"options", std::move(options)},
+                       {"realisations", done[k]},
+                       {"planned", study.info.realisations}});
+  }
+  return {{"title", study.info.title.empty() ? study.info.name : study.info.title},
+          {"name", study.info.name},
+          {"program", "Jamscape" + (results.version.empty() ? std::string() : " " + results.version)},
+          {"revision", results.commit},
+          {"seed", std::to_string(study.info.seed)},
+          {"swept", varied},
+          {"systems", std::move(systems)}};
+}
+
+Json transitions_block(const Results& results) {
+  const auto table = results.table("ensemble/transitions.csv");
+  if (!table) return nullptr;
+  const std::vector<std::string> system = text_column(*table, "system");
+  const std::vector<std::string> quantity = text_column(*table, "quantity");
+  const std::vector<double> n = table->numbers("n");
+  const std::vector<double> value = table->numbers("value");
+  const std::vector<double> error = table->numbers("se");
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < table->rows(); ++k) {
+    if (results.system(system[k]) < 0 || !std::isfinite(value[k])) continue;
+    rows.push_back({{"system", results.system(system[k])},
+                    {"quantity", quantity[k]},
+                    {"n", static_cast<std::int64_t>(n[k])},
+                    {"value", rounded(value[k], 7)},
+                    {"se", n[k] > 1 ? rounded(error[k], 4) : Json()}});
+  }
+  return rows.empty() ? Json() : Json{{"rows", std::move(rows)}};
+}
+
+Json score_block(const Results& results) {
+  const auto table = results.table("tables/score.csv");
+  if (!table || table->rows() == 0) return nullptr;
+  Json columns = Json::array();
+  std::vector<std::vector<std::string>> texts;
+  for (const Column& column : table->columns) {
+    columns.push_back(column.name);
+    texts.push_back(text_column(*table, column.name));
+  }
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < table->rows(); ++k) {
+    Json row = Json::array();
+    for (const std::vector<std::string>& text : texts) row.push_back(text[k]);
+    rows.push_back(std::move(row));
+  }
+  return {{"columns", std::move(columns)}, {"rows", std::move(rows)}};
+}
+
+}  // namespace jam

@@ -1,0 +1,27 @@
+#include "jamscape/report/report.hpp"
+
+#include "jamscape/base/files.hpp"
+#include "jamscape/report/blocks.hpp"
+#include "jamscape/report/page.hpp"
+#include "jamscape/report/results.hpp"
+
+namespace jam {
+
+void write_report(const std::filesystem::path& results_dir) {
+  const Results results = open_results(results_dir);
+  Page page{results.study.info.title.empty() ? results.study.info.name : results.study.info.title, {}};
+  const auto add = [&page](std::string name, Json data) {
+    if (!data.is_null()) page.blocks.push_back({std::move(name), std::move(data)});
+  };
+  add("study", study_block(results));
+  add("transitions", transitions_block(results));
+  add("score", score_block(results));
+  add("frames", frames_block(results));
+  for (const ManyChoice& choice : many_choices()) add("many-" + choice.measure, many_block(results, choice));
+  const std::vector<PictureSource> pictures = choose_pictures(results);
+  add("networks", networks_block(pictures));
+  add("diagrams", diagrams_block(pictures));
+  write_text(results_dir / "report.html", print_page(page));
+}
+
+}  // namespace jam

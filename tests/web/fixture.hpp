@@ -1,0 +1,19 @@
+// A folder of results that looks like one of `jamscape run`, made of smooth functions and random numbers in a second:
+// three systems of a few hundred grains, all tables and stored frames. Nothing in it was simulated.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace jam {
+
+struct FixtureParts {
+  bool ensemble = true;     ///< ensemble/*.csv
+  bool tasks = true;        ///< stored frames and diagrams
+  bool transitions = true;  ///< ensemble/transitions.csv and tables/score.csv
+  std::string title = "Synthetic results";
+};
+
+void write_fixture(const std::filesystem::path& folder, const FixtureParts& parts = {});
+
+}  // namespace jam

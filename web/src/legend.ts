@@ -1,0 +1,67 @@
+// The bar that stays in view: one chip per system, which shows or hides it in all figures, and ready-made choices that
+// vary one option while all others stay the same.
+import type { Context } from "./context";
+import type { Study } from "./data";
+import { h, markup } from "./dom";
+import { optionSymbol, optionValue } from "./symbols";
+import { systemColour } from "./theme";
+
+interface Group {
+  label: string;
+  members: boolean[];
+}
+
+/** For each swept option, the largest set of systems (three at least, or all) that differ in nothing else. */
+function groups(study: Study): Group[] {
+  if (study.swept.length < 2) return [];
+  const out: Group[] = [];
+  for (const varied of study.swept) {
+    const others = study.swept.filter((key) => key !== varied);
+    const byRest = new Map<string, number[]>();
+    study.systems.forEach((system, k) => {
+      const rest = JSON.stringify(others.map((key) => system.swept[key]));
+      byRest.set(rest, [...(byRest.get(rest) ?? []), k]);
+    });
+    for (const members of byRest.values()) {
+      if (members.length < 3 || members.length === study.systems.length) continue;
+      const fixed = others
+        .map((key) => `${optionSymbol(key)} = ${optionValue(study.systems[members[0]].swept[key])}`)
+        .join(", ");
+      out.push({
+        label: `vary ${optionSymbol(varied)} at ${fixed}`,
+        members: study.systems.map((_, k) => members.includes(k)),
+      });
+    }
+  }
+  return out;
+}
+
+export function legend(context: Context): HTMLElement {
+  const { shown } = context.state;
+  const bar = h("div", "legend");
+  const chips = context.labels.map((label, system) => {
+    const chip = h("button", "chip", h("i", "swatch"), markup(label));
+    (chip.firstChild as HTMLElement).style.background = systemColour(system);
+    chip.title = "show or hide this system in all figures";
+    chip.addEventListener("click", () => {
+      const next = shown.get().map((on, k) => (k === system ? !on : on));
+      shown.set(next.some(Boolean) ? next : next.map(() => true));
+    });
+    return chip;
+  });
+  shown.watch((on) => chips.forEach((chip, k) => chip.setAttribute("aria-pressed", String(on[k]))));
+  bar.append(...chips);
+
+  const choices = groups(context.data.study);
+  if (choices.length) {
+    const all = { label: "all systems", members: context.labels.map(() => true) };
+    const buttons = [all, ...choices].map((group) => {
+      const button = h("button", "choice", markup(group.label));
+      button.addEventListener("click", () => shown.set(group.members));
+      shown.watch((on) => button.setAttribute("aria-pressed", String(on.every((v, k) => v === group.members[k]))));
+      return button;
+    });
+    bar.append(h("span", "choices", ...buttons));
+  }
+  return bar;
+}

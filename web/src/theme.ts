@@ -1,0 +1,45 @@
+// Colours. Systems: Okabe and Ito's palette (distinguishable with any colour vision), darkened where it is too pale for
+// lines on white. Forces and densities: one ramp whose lightness falls steadily.
+
+const SYSTEMS = ["#0072b2", "#d55e00", "#009e73", "#b4508e", "#1b1b1b", "#c99700", "#56b4e9", "#8c564b"];
+const DASHES: (number[] | undefined)[] = [undefined, [7, 4], [2, 3], [9, 3, 2, 3]];
+
+export function systemColour(index: number): string {
+  return SYSTEMS[index % SYSTEMS.length];
+}
+
+/** Systems beyond the palette's length repeat its colours with dashes. */
+export function systemDash(index: number): number[] | undefined {
+  return DASHES[Math.floor(index / SYSTEMS.length) % DASHES.length];
+}
+
+export function faded(colour: string, alpha: number): string {
+  const value = parseInt(colour.slice(1), 16);
+  return `rgba(${value >> 16},${(value >> 8) & 255},${value & 255},${alpha})`;
+}
+
+const RAMP = ["#fbe3b3", "#f9b96b", "#ef7d4f", "#cf4461", "#8e2b74", "#45175f", "#160b39"];
+const RHO_RAMP = ["#b9d3e6", "#7fb3d3", "#4a90c0", "#2b6ca3", "#1d4a7d", "#0f2c55"];
+
+function mix(stops: string[], t: number): string {
+  const position = Math.min(Math.max(t, 0), 1) * (stops.length - 1);
+  const k = Math.min(Math.floor(position), stops.length - 2);
+  const part = position - k;
+  const a = parseInt(stops[k].slice(1), 16);
+  const b = parseInt(stops[k + 1].slice(1), 16);
+  const channel = (shift: number) => {
+    const from = (a >> shift) & 255;
+    return Math.round(from + part * (((b >> shift) & 255) - from));
+  };
+  return `rgb(${channel(16)},${channel(8)},${channel(0)})`;
+}
+
+/** t in [0, 1]: weak to strong. */
+export const heat = (t: number): string => mix(RAMP, t);
+/** t in [0, 1]: loose to dense. */
+export const depth = (t: number): string => mix(RHO_RAMP, t);
+
+export const INK = "#1f2733";
+export const MUTED = "#667085";
+export const GRID = "#eceff3";
+export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
