@@ -63,8 +63,29 @@ std::vector<const Measure*> chosen_measures(const Study& study) {
   return chosen;
 }
 
-std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measure*>& measures,
+const Measure& instant_measure() {
+  static const Measure measure{
+      .name = "instant",
+      .title = "step, time and packing fraction",
+      .formula = "",
+      .source = "",
+      .columns = {{"step", "", ""}, {"time", "", ""}, {"packing_fraction", "", ""}, {"packing_fraction_plain", "", ""}},
+      .evaluate = [](const Snapshot& snapshot) {
+        const Packing& p = snapshot.packing();
+        Table table;
+        table.add("step", std::vector<std::int64_t>{p.step});
+        table.add("time", std::vector<double>{p.time});
+        table.add("packing_fraction", std::vector<double>{p.packing_fraction});
+        table.add("packing_fraction_plain", std::vector<double>{p.packing_fraction_plain});
+        return table;
+      }};
+  return measure;
+}
+
+std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measure*>& wanted,
                          const MeasureOptions& options, Remeasure what, const std::function<bool()>& stop) {
+  std::vector<const Measure*> measures = {&instant_measure()};
+  measures.insert(measures.end(), wanted.begin(), wanted.end());
   const RunFile run(folder.run_file());
   nlohmann::json keys = read_keys(folder);
   std::vector<const Measure*> missing;

@@ -15,6 +15,9 @@ namespace jam {
 /// The measures a study asks for, in the order of the registry; throws a usage error for an unknown name.
 std::vector<const Measure*> chosen_measures(const Study& study);
 
+/// What the leading columns of the tables need: step, time and the two packing fractions. Taken with every measure.
+const Measure& instant_measure();
+
 enum class Remeasure { missing, all };
 
 /// Evaluates the measures on every stored frame of a task that is done. Returns how many measures were computed.

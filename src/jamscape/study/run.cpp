@@ -63,7 +63,7 @@ class Runner {
         return Ending::skipped;
       }
       const bool done = has_all_frames(folder, task.plan);
-      listener_.started(index);
+      if (!done) listener_.started(index);
       fs::remove(folder.path() / "failed.txt");
       SimulateHooks hooks{[&](const Progress& p) { listener_.progress(index, p); }, [this] { return stopping(); },
                           options_.checkpoint_interval};

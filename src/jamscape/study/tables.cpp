@@ -9,7 +9,6 @@
 #include "jamscape/base/files.hpp"
 #include "jamscape/io/aside.hpp"
 #include "jamscape/study/measure_task.hpp"
-#include "jamscape/study/task_folder.hpp"
 
 namespace jam {
 namespace {
@@ -34,31 +33,28 @@ class TableFile {
 };
 
 /// A task that is done, with what stands in front of its rows.
-struct DoneTask {
-  const Task* task;
-  TaskFolder folder;
-  std::vector<std::size_t> stored;  ///< index in run.h5 of each planned frame
+struct LedTask {
+  const DoneTask* done;
   std::vector<std::string> leading;
 };
 
-std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks, const fs::path& results,
-                                const VariedColumns& varied) {
-  std::vector<DoneTask> done;
-  for (const Task& task : tasks) {
-    DoneTask d{&task, TaskFolder(results, task.hash), {}, {}};
-    if (!has_all_frames(d.folder, task.plan)) continue;
-    const RunFile run(d.folder.run_file());
-    d.stored = stored_frames(run, task.plan).value();
+std::vector<LedTask> lead(const Study& study, const std::vector<DoneTask>& done, const VariedColumns& varied) {
+  std::vector<LedTask> led;
+  for (const DoneTask& d : done) {
+    const Task& task = *d.task;
+    const CachedRows instants = read_cached_rows(d.folder, instant_measure());
+    LedTask t{&d, {}};
     for (std::size_t f = 0; f < d.stored.size(); ++f) {
-      const Packing p = run.frame(d.stored[f]);
-      d.leading.push_back(fmt::format("{},{}{},{},{},{},{},{},{},{}", csv_field(study.systems[task.system].name),
-                                      task.realisation, varied.of_system[task.system], f,
-                                      csv_field(task.plan.frames[f].stage), p.step, p.time,
-                                      task.plan.frames[f].packing_fraction, p.packing_fraction, p.packing_fraction_plain));
+      const std::string& instant = instants.lines.at(d.stored[f]).at(0);
+      const std::size_t time = instant.find(',') + 1, fraction = instant.find(',', time);
+      t.leading.push_back(fmt::format("{},{}{},{},{},{},{}{}", csv_field(study.systems[task.system].name), task.realisation,
+                                      varied.of_system[task.system], f, csv_field(task.plan.frames[f].stage),
+                                      instant.substr(0, fraction), task.plan.frames[f].packing_fraction,
+                                      instant.substr(fraction)));
     }
-    done.push_back(std::move(d));
+    led.push_back(std::move(t));
   }
-  return done;
+  return led;
 }
 
 std::string leading_header(const VariedColumns& varied) {
@@ -67,18 +63,19 @@ std::string leading_header(const VariedColumns& varied) {
       varied.header);
 }
 
-void write_frames_table(const std::vector<DoneTask>& done, const std::vector<const Measure*>& per_frame,
+void write_frames_table(const std::vector<LedTask>& done, const std::vector<const Measure*>& per_frame,
                         const std::string& header, const fs::path& path) {
   TableFile file(path);
   std::string line = header;
   for (const Measure* m : per_frame)
     for (const ColumnInfo& c : m->columns) line += "," + c.name;
   file.add(line + "\n");
-  for (const DoneTask& d : done) {
+  for (const LedTask& led : done) {
+    const DoneTask& d = *led.done;
     std::vector<CachedRows> rows;
     for (const Measure* m : per_frame) rows.push_back(read_cached_rows(d.folder, *m));
     for (std::size_t f = 0; f < d.stored.size(); ++f) {
-      line = d.leading[f];
+      line = led.leading[f];
       for (std::size_t k = 0; k < per_frame.size(); ++k) {
         const auto& lines = rows[k].lines;
         if (d.stored[f] >= lines.size() || lines[d.stored[f]].size() != 1)
@@ -92,17 +89,18 @@ void write_frames_table(const std::vector<DoneTask>& done, const std::vector<con
   file.finish();
 }
 
-void write_measure_table(const std::vector<DoneTask>& done, const Measure& measure, const std::string& header,
+void write_measure_table(const std::vector<LedTask>& done, const Measure& measure, const std::string& header,
                          const fs::path& path) {
   TableFile file(path);
   std::string line = header;
   for (const ColumnInfo& c : measure.columns) line += "," + c.name;
   file.add(line + "\n");
-  for (const DoneTask& d : done) {
+  for (const LedTask& led : done) {
+    const DoneTask& d = *led.done;
     const CachedRows rows = read_cached_rows(d.folder, measure);
     for (std::size_t f = 0; f < d.stored.size(); ++f) {
       if (d.stored[f] >= rows.lines.size()) continue;
-      for (const std::string& values : rows.lines[d.stored[f]]) file.add(d.leading[f] + "," + values + "\n");
+      for (const std::string& values : rows.lines[d.stored[f]]) file.add(led.leading[f] + "," + values + "\n");
     }
   }
   file.finish();
@@ -140,10 +138,10 @@ VariedColumns varied_columns(const Study& study) {
   return varied;
 }
 
-void write_tables(const Study& study, const std::vector<Task>& tasks, const fs::path& results) {
+void write_tables(const Study& study, const std::vector<DoneTask>& done_tasks, const fs::path& results) {
   const VariedColumns varied = varied_columns(study);
   const std::vector<const Measure*> chosen = chosen_measures(study);
-  const std::vector<DoneTask> done = find_done(study, tasks, results, varied);
+  const std::vector<LedTask> done = lead(study, done_tasks, varied);
   const std::string header = leading_header(varied);
   make_folder(results / "tables");
   std::vector<const Measure*> per_frame;

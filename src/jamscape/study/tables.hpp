@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "jamscape/study/done_tasks.hpp"
 #include "jamscape/study/study.hpp"
-#include "jamscape/study/task.hpp"
 
 namespace jam {
 
 /// Measures what is missing has been done before (measure_task.hpp). Tables of measures no longer wanted are removed.
-void write_tables(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results);
+void write_tables(const Study& study, const std::vector<DoneTask>& done, const std::filesystem::path& results);
 
 /// The values of the varied options of each system, as CSV fields with a comma in front of each; `header` likewise.
 struct VariedColumns {

@@ -1,0 +1,87 @@
+#include "jamscape/study/ensemble.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "jamscape/base/files.hpp"
+#include "jamscape/stats/moments.hpp"
+#include "jamscape/study/tables.hpp"
+
+namespace jam {
+namespace {
+
+std::string print_moments(std::vector<double> values) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  const Moments m = moments(values);
+  return fmt::format("{},{},{},{}\n", m.n, m.mean, m.sd, m.se);
+}
+
+std::string frames_text(const Study& study, const std::vector<std::vector<const DoneTask*>>& systems,
+                        const std::vector<const Measure*>& measures, const VariedColumns& varied) {
+  std::string text = "system" + varied.header + ",frame,packing_fraction_target,quantity,n,mean,sd,se\n";
+  for (std::size_t s = 0; s < systems.size(); ++s) {
+    const FrameSeries series = read_frame_series(systems[s], measures);
+    for (std::size_t f = 0; f < series.target.size(); ++f)
+      for (std::size_t q = 0; q < series.quantity.size(); ++q) {
+        std::vector<double> values;
+        for (const std::vector<double>& run : series.value[q]) values.push_back(run[f]);
+        text += fmt::format("{}{},{},{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f, series.target[f],
+                            series.quantity[q], print_moments(std::move(values)));
+      }
+  }
+  return text;
+}
+
+/// Rows of one frame with equal abscissae, over the realisations: [abscissae][quantity][realisation].
+using Bins = std::map<std::vector<double>, std::vector<std::vector<double>>>;
+
+std::string measure_text(const Study& study, const std::vector<std::vector<const DoneTask*>>& systems,
+                         const Measure& measure, const VariedColumns& varied) {
+  const auto abscissae = static_cast<std::size_t>(measure.abscissae);
+  std::string text = "system" + varied.header + ",frame,packing_fraction_target";
+  for (std::size_t c = 0; c < abscissae; ++c) text += fmt::format(",{}", measure.columns[c].name);
+  text += ",quantity,n,mean,sd,se\n";
+  for (std::size_t s = 0; s < systems.size(); ++s) {
+    std::vector<FrameRows> runs;
+    for (const DoneTask* d : systems[s]) runs.push_back(read_frame_rows(*d, measure));
+    for (std::size_t f = 0; !runs.empty() && f < runs.front().size(); ++f) {
+      Bins bins;
+      for (const FrameRows& run : runs) {
+        if (f >= run.size()) continue;
+        for (const std::vector<double>& row : run[f]) {
+          const auto split = row.begin() + static_cast<std::ptrdiff_t>(abscissae);
+          auto& bin = bins[{row.begin(), split}];
+          bin.resize(row.size() - abscissae);
+          for (std::size_t q = 0; q < bin.size(); ++q) bin[q].push_back(row[abscissae + q]);
+        }
+      }
+      const std::string leading =
+          fmt::format("{}{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f,
+                      systems[s].front()->task->plan.frames[f].packing_fraction);
+      for (const auto& [at, quantities] : bins)
+        for (std::size_t q = 0; q < quantities.size(); ++q) {
+          text += leading;
+          for (const double a : at) text += fmt::format(",{}", a);
+          text += fmt::format(",{},{}", measure.columns[abscissae + q].name, print_moments(quantities[q]));
+        }
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+void write_ensemble(const Study& study, const std::vector<DoneTask>& done, const std::filesystem::path& results) {
+  const VariedColumns varied = varied_columns(study);
+  const auto systems = by_system(study, done);
+  const std::vector<const Measure*> chosen = chosen_measures(study);
+  make_folder(results / "ensemble");
+  write_text(results / "ensemble" / "frames.csv", frames_text(study, systems, chosen, varied));
+  for (const Measure* m : chosen)
+    if (m->rows == Rows::many && m->averaged)
+      write_text(results / "ensemble" / (m->name + ".csv"), measure_text(study, systems, *m, varied));
+}
+
+}  // namespace jam

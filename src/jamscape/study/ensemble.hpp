@@ -1,0 +1,19 @@
+// DIR/ensemble/*.csv: means over the realisations of a system, in long form:
+//
+//   system, <options that differ between systems>, frame, packing_fraction_target, [abscissae], quantity, n, mean, sd, se
+//
+// for frames.csv (one row a frame, all its quantities) and for every averaged measure with several rows a frame. Values
+// that are not finite are left out of n.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "jamscape/study/done_tasks.hpp"
+#include "jamscape/study/study.hpp"
+
+namespace jam {
+
+void write_ensemble(const Study& study, const std::vector<DoneTask>& done, const std::filesystem::path& results);
+
+}  // namespace jam

@@ -1,0 +1,113 @@
+#include "jamscape/study/transitions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "jamscape/base/files.hpp"
+#include "jamscape/stats/crossing.hpp"
+#include "jamscape/stats/curves.hpp"
+#include "jamscape/stats/inflection.hpp"
+#include "jamscape/stats/moments.hpp"
+#include "jamscape/study/identity.hpp"
+#include "jamscape/study/tables.hpp"
+
+namespace jam {
+namespace {
+
+using Curves = std::vector<std::vector<double>>;
+
+constexpr double jammed_z = 3;         // S1's criterion
+constexpr double fit_range = 0.05;     // how far from rho_c the fit of the inflection looks
+constexpr std::size_t resamples = 200;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Stages that follow each other may both have a frame at the same packing fraction; a curve has it once.
+std::vector<std::size_t> increasing(const std::vector<double>& x) {
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (kept.empty() || x[k] > x[kept.back()]) kept.push_back(k);
+  return kept;
+}
+
+std::vector<double> pick(const std::vector<double>& values, const std::vector<std::size_t>& which) {
+  std::vector<double> picked;
+  for (const std::size_t k : which) picked.push_back(values[k]);
+  return picked;
+}
+
+Curves pick(const Curves& curves, const std::vector<std::size_t>& which) {
+  Curves picked;
+  for (const std::vector<double>& c : curves) picked.push_back(pick(c, which));
+  return picked;
+}
+
+Transition from_estimate(std::string quantity, const Estimate& e) { return {std::move(quantity), e.n, e.value, e.error}; }
+
+Transition plain(const Curves& z, const Curves& fraction) {
+  const Estimate e = jackknife(z.size(), [&](std::span<const std::size_t> runs) {
+    const std::vector<double> x = mean_curve(fraction, runs);
+    return last_upward_crossing(x, mean_curve(z, runs), jammed_z).value_or(none);
+  });
+  return from_estimate("rho_c_plain", e);
+}
+
+Transition single(const std::vector<double>& x, const Curves& z) {
+  std::vector<double> crossings;
+  for (const std::vector<double>& run : z)
+    if (const auto c = last_upward_crossing(x, run, jammed_z)) crossings.push_back(*c);
+  const Moments m = moments(crossings);
+  return {"rho_c_single", m.n, m.mean, m.se};
+}
+
+Transition inflection(const std::vector<double>& x, const Curves& z, double rho_c, std::uint64_t seed,
+                      const std::string& key) {
+  std::vector<std::size_t> near;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (!std::isfinite(rho_c) || std::abs(x[k] - rho_c) <= fit_range) near.push_back(k);
+  Random random(seed, key, 0, "bootstrap of the inflection");
+  return from_estimate("rho_inflection", inflection_of_mean(pick(x, near), pick(z, near), resamples, random));
+}
+
+}  // namespace
+
+std::vector<Transition> find_transitions(const FrameSeries& series, std::uint64_t seed, const std::string& key) {
+  const Curves* z = series.find("z");
+  if (!z || series.realisations == 0 || series.target.empty()) return {};
+  const std::vector<std::size_t> kept = increasing(series.target);
+  const std::vector<double> x = pick(series.target, kept);
+  const Curves zs = pick(*z, kept);
+  std::vector<Transition> found;
+  found.push_back(from_estimate("rho_c", crossing_of_mean(x, zs, jammed_z)));
+  const double rho_c = found.front().value;
+  for (const auto& [column, name] : {std::pair{"z_walls", "rho_c_walls"}, std::pair{"z_multi", "rho_c_multi"}})
+    if (const Curves* other = series.find(column))
+      found.push_back(from_estimate(name, crossing_of_mean(x, pick(*other, kept), jammed_z)));
+  if (const Curves* fraction = series.find("packing_fraction_plain")) found.push_back(plain(zs, pick(*fraction, kept)));
+  found.push_back(inflection(x, zs, rho_c, seed, key));
+  found.push_back(single(x, zs));
+  return found;
+}
+
+std::vector<std::vector<Transition>> write_transitions(const Study& study, const std::vector<DoneTask>& done,
+                                                       const std::filesystem::path& results) {
+  const VariedColumns varied = varied_columns(study);
+  const auto systems = by_system(study, done);
+  std::vector<std::vector<Transition>> all;
+  std::string text = "system" + varied.header + ",quantity,n,value,se\n";
+  for (std::size_t s = 0; s < systems.size(); ++s) {
+    const FrameSeries series = read_frame_series(systems[s], chosen_measures(study));
+    all.push_back(find_transitions(series, static_cast<std::uint64_t>(study.info.seed),
+                                   physics_key(study.systems[s].options)));
+    for (const Transition& t : all.back())
+      text += fmt::format("{}{},{},{},{},{}\n", csv_field(study.systems[s].name), varied.of_system[s], t.quantity, t.n,
+                          t.value, t.se);
+  }
+  make_folder(results / "ensemble");
+  write_text(results / "ensemble" / "transitions.csv", text);
+  return all;
+}
+
+}  // namespace jam

@@ -1,0 +1,37 @@
+// Where a system jams, by every reading of "Z reaches 3" that PHYSICS sec. 6a lists. DIR/ensemble/transitions.csv:
+//
+//   system, <options that differ between systems>, quantity, n, value, se
+//
+//   rho_c          last upward crossing of the ensemble-mean z at 3, linear interpolation; error by jackknife (S1 Table I)
+//   rho_c_walls    the same with z_walls: wall contacts counted too
+//   rho_c_multi    the same with z_multi: over grains with two contacts or more
+//   rho_c_plain    rho_c on the axis of packing_fraction_plain
+//   rho_inflection inflection of the mean z: logistic plus line around rho_c; error by bootstrap
+//   rho_c_single   mean over the realisations of their own crossings
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "jamscape/study/done_tasks.hpp"
+#include "jamscape/study/study.hpp"
+
+namespace jam {
+
+struct Transition {
+  std::string quantity;
+  std::size_t n = 0;
+  double value = 0;  ///< NaN where there is none
+  double se = 0;     ///< NaN where it cannot be estimated
+};
+
+/// Empty where z was not measured. `seed` and `key` name the random numbers of the bootstrap.
+std::vector<Transition> find_transitions(const FrameSeries& series, std::uint64_t seed, const std::string& key);
+
+/// Writes the table and returns the transitions of each system.
+std::vector<std::vector<Transition>> write_transitions(const Study& study, const std::vector<DoneTask>& done,
+                                                       const std::filesystem::path& results);
+
+}  // namespace jam
