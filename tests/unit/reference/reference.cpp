@@ -9,6 +9,7 @@
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,32 +18,34 @@
 
 namespace {
 
-constexpr const char* origin = "<!-- Generated from the declarations in the code; do not edit. -->\n\n";
+constexpr const char* origin = "<!-- Generated from the declarations in the code; do not edit. -->";
 
 /// In a cell of a table, a bar would end it.
-std::string cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
-  return text;
+std::string cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
 }
 
 std::string options_page() {
-  std::string page = std::string(origin) +
-                     "# Options of a study file\n\n"
-                     "`jamscape explain KEY` prints the same. Numbers without a unit are in scaled units: the mean "
-                     "diameter d, the mean mass m and the collision time tau_c. Options of a stage stand in a "
-                     "`[[stage]]` table, or as `stage.NAME.key` in a `[[system]]`.\n";
+  std::string page = fmt::format(
+      "{}\n\n# Options of a study file\n\n"
+      "`jamscape explain KEY` prints the same. Numbers are in scaled units: the mean diameter d, the mean mass m "
+      "and the collision time tau_c. Options of a stage stand in a `[[stage]]` table, or as `stage.NAME.key` in a "
+      "`[[system]]`. Sources: S1 and S2 as in [references.bib](../references.bib), PHYSICS is "
+      "[theory.md](../theory.md).\n",
+      origin);
   std::string group = "?";
   for (const jam::KnownOption& o : jam::known_options()) {
     const std::size_t dot = o.key.find('.');
     const std::string of = dot == std::string::npos ? "" : o.key.substr(0, dot);
     if (of != group) {
       group = of;
-      page += fmt::format("\n## {}\n\n| key | meaning | type | unit | range | default | source |\n|{}\n",
-                          group.empty() ? "(top)" : group, "---|---|---|---|---|---|---|");
+      page += fmt::format("\n## {}\n\n| key | meaning | value | range | default | source |\n|{}\n",
+                          group.empty() ? "(top)" : group, "---|---|---|---|---|---|");
     }
-    page += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", o.key, cell(std::string(o.meta.text)), cell(o.type),
-                        cell(std::string(o.meta.unit)), cell(o.range), cell(o.default_value),
-                        cell(std::string(o.meta.source)));
+    page += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", o.key, cell(o.meta.text), cell(o.type), cell(o.range),
+                        cell(o.default_value), cell(o.meta.source));
   }
   return page;
 }
@@ -61,8 +64,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::filesystem::path folder = argv[argc - 1];
-  const std::vector<std::pair<std::string, std::string>> pages = {{"options.md", options_page()},
-                                                                  {"measures.md", origin + jam::measures_reference()}};
+  const std::vector<std::pair<std::string, std::string>> pages = {
+      {"options.md", options_page()}, {"measures.md", fmt::format("{}\n\n{}", origin, jam::measures_reference())}};
   int stale = 0;
   for (const auto& [name, text] : pages) {
     if (write) {
