@@ -9,9 +9,10 @@
 namespace jam {
 namespace {
 
-/// Lists are made to last about this many steps at the present speed, within bounds in grain diameters: a wider skin
-/// lists more pairs that do not touch, a thinner one makes lists more often.
-constexpr double steps_per_list = 100, thinnest_skin = 0.02, widest_skin = 0.3;
+/// The skin weighs the cost of making lists against that of listed pairs that do not touch. Both are lowest together at
+/// sqrt(list_cost * closing), closing = how much nearer two bodies may come in a step, list_cost = the cost of a list over
+/// the cost of testing the pairs one more diameter of skin would list (measured: 30 to 50). Bounds in grain diameters.
+constexpr double list_cost = 40, thinnest_skin = 0.01, widest_skin = 0.3;
 /// Grains are put back into spatial order at every so-manieth list.
 constexpr std::int64_t lists_per_order = 16;
 /// A simulation is given up when two bodies overlap by more than this part of the smaller radius. A grain pinned in the
@@ -127,7 +128,8 @@ void Engine<D>::relist() {
     plane_spring[plane_wall_[q] * bodies_.grains + old_id[plane_grain_[q]]] = plane_spring_[q];
 
   if (lists_++ % lists_per_order == 0) bodies_.reorder(spatial_order(bodies_));
-  skin_ = std::clamp(2 * std::sqrt(speed2) * dt_ * steps_per_list, thinnest_skin * diameter_, widest_skin * diameter_);
+  const double closing = 2 * std::sqrt(speed2) * dt_;
+  skin_ = std::clamp(std::sqrt(list_cost * diameter_ * closing), thinnest_skin * diameter_, widest_skin * diameter_);
   pairs_ = list_pairs<D>(bodies_, box_, skin_, pairs_, old_id);
 
   plane_grain_.clear(), plane_wall_.clear(), plane_spring_.clear();
@@ -161,11 +163,11 @@ void Engine<D>::compute_forces() {
                shifts_.data(),
                dt_,
                &tally_};
-  for (int kind = 0; kind < pair_kinds; ++kind) {
-    const auto k = static_cast<std::size_t>(kind);
-    const PairLaw<>& law = kind == static_cast<int>(PairKind::bead) ? wall_law_ : grain_law_;
-    p.shift = kind == static_cast<int>(PairKind::across) ? pairs_.shift.data() : nullptr;
-    kernels_->template pairs<D>()(p, {pairs_.start[k], pairs_.start[k + 1], law, kind_, law.mu > 0});
+  for (std::size_t run = 0; run < pair_runs; ++run) {
+    const auto kind = static_cast<PairKind>(run / 2);
+    const PairLaw<>& law = kind == PairKind::bead ? wall_law_ : grain_law_;
+    p.shift = kind == PairKind::across ? pairs_.shift.data() : nullptr;
+    kernels_->template pairs<D>()(p, {pairs_.start[run], pairs_.start[run + 1], run % 2 == 1, law, kind_, law.mu > 0});
   }
   touch_planes();
   collect_walls();

@@ -5,7 +5,7 @@
 //   forces
 //
 // Order of sums: the forces of pair k are added to body i, then to body j, for k = 0, 1, 2, ...; energies are summed in
-// eight slots (k mod 8). Every implementation keeps that order and uses exact element-wise operations only, so all of
+// eight slots: k mod 8, or in a sparse range the number of touching pairs before k, mod 8. Every implementation keeps that order and uses exact element-wise operations only, so all of
 // them give the same bits.
 #pragma once
 
@@ -25,9 +25,11 @@ struct alignas(64) Tally {
   double deepest[block];  ///< largest overlap
 };
 
-/// A run of pairs that share one law. `begin` and `end` are whole blocks.
+/// A run of pairs that share one law. `begin` and `end` are whole blocks. In a sparse range few pairs are expected to touch:
+/// wide kernels collect those that do before they compute forces.
 struct PairRange {
   std::size_t begin, end;
+  bool sparse;
   PairLaw<> law;
   NormalLaw kind;
   bool friction;

@@ -16,11 +16,11 @@ Axial<D> levered(const double* row, double lever) {
 template <int D, NormalLaw law, bool friction>
 void pair_loop(const PairArrays& p, const PairRange& range) {
   using R = Row<D>;
+  std::size_t touching = 0;
   for (std::size_t k = range.begin; k < range.end; ++k) {
     const double* a = p.rows + p.i[k] * R::stride;
     const double* b = p.rows + p.j[k] * R::stride;
-    const std::size_t slot = k % block;
-    double* stored = p.springs + (D == 2 ? k : (k - slot) * 3 + slot);
+    double* stored = p.springs + (D == 2 ? k : k / block * 3 * block + k % block);
     Axial<D> spring;
     if constexpr (D == 2)
       spring = stored[0];
@@ -37,15 +37,16 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
     if (!(r2 < reach * reach)) {
       if constexpr (friction) {
         if constexpr (D == 2) {
-          p.tally->rubbed[slot] += 0.5 * range.law.k_t * (spring * spring);
+          p.tally->rubbed[k % block] += 0.5 * range.law.k_t * (spring * spring);
           stored[0] = 0;
         } else {
-          p.tally->rubbed[slot] += 0.5 * range.law.k_t * dot(spring, spring);
+          p.tally->rubbed[k % block] += 0.5 * range.law.k_t * dot(spring, spring);
           stored[0] = stored[block] = stored[2 * block] = 0;
         }
       }
       continue;
     }
+    const std::size_t slot = (range.sparse ? touching++ : k) % block;
     const double r = square_root(r2), inverse = 1.0 / r, x = reach - r;
     const Vec<D> n = inverse * d;
     const double lever_i = a[R::radius] - range.law.lever_cut * x, lever_j = b[R::radius] - range.law.lever_cut * x;

@@ -118,27 +118,25 @@ class Springs {
   std::vector<std::size_t> pair_;
 };
 
-/// Appends the pairs of one kind, tile by tile.
+/// Appends the touching or the near pairs of one kind, tile by tile.
 template <int D>
 void append(PairList<D>& list, const std::vector<std::uint32_t>& first, const std::vector<Found>& found,
-            std::size_t grains) {
+            std::size_t grains, bool touching) {
   for (std::size_t from = 0; from < grains; from += tile) {
     const std::size_t to = std::min(grains, from + tile);
-    for (const bool touching : {true, false}) {
-      std::array<std::uint32_t, tile> next;
-      for (std::size_t a = from; a < to; ++a) next[a - from] = first[a];
-      for (bool more = true; more;) {
-        more = false;
-        for (std::size_t a = from; a < to; ++a) {
-          std::uint32_t& q = next[a - from];
-          while (q < first[a + 1] && found[q].touching != touching) ++q;
-          if (q == first[a + 1]) continue;
-          more = true;
-          list.i.push_back(static_cast<std::uint32_t>(a));
-          list.j.push_back(found[q].j);
-          list.shift.push_back(found[q].shift);
-          ++q;
-        }
+    std::array<std::uint32_t, tile> next;
+    for (std::size_t a = from; a < to; ++a) next[a - from] = first[a];
+    for (bool more = true; more;) {
+      more = false;
+      for (std::size_t a = from; a < to; ++a) {
+        std::uint32_t& q = next[a - from];
+        while (q < first[a + 1] && found[q].touching != touching) ++q;
+        if (q == first[a + 1]) continue;
+        more = true;
+        list.i.push_back(static_cast<std::uint32_t>(a));
+        list.j.push_back(found[q].j);
+        list.shift.push_back(found[q].shift);
+        ++q;
       }
     }
   }
@@ -215,16 +213,16 @@ PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double s
   }
 
   PairList<D> list;
-  const std::size_t room = found[0].size() + found[1].size() + found[2].size() + 3 * block;
+  const std::size_t room = found[0].size() + found[1].size() + found[2].size() + pair_runs * block;
   list.i.reserve(room), list.j.reserve(room), list.shift.reserve(room);
-  for (std::size_t kind = 0; kind < pair_kinds; ++kind) {
-    append<D>(list, first[kind], found[kind], bodies.grains);
+  for (std::size_t run = 0; run < pair_runs; ++run) {
+    append<D>(list, first[run / 2], found[run / 2], bodies.grains, run % 2 == 0);
     while (list.i.size() % block) {
       list.i.push_back(static_cast<std::uint32_t>(bodies.count()));
       list.j.push_back(static_cast<std::uint32_t>(bodies.count() + 1));
       list.shift.push_back((images<D> - 1) / 2);
     }
-    list.start[kind + 1] = list.i.size();
+    list.start[run + 1] = list.i.size();
   }
 
   list.mbar.assign(list.size(), 0.0);

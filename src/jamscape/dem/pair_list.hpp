@@ -1,9 +1,9 @@
 // The list of pairs that may touch before it is made anew, with their tangential springs.
 //
-// Pairs stand in the order in which their forces are summed. Three runs: grain-grain, grain-grain across a periodic
-// face, grain-bead; each padded to whole blocks. Within a run, grains go by tiles of 64; in a tile the touching pairs
-// come first, then the near ones, and each of the two takes one partner of every grain in turn: neighbours in the list
-// then never wait for each other's force sums, and blocks of near pairs are left after their distances.
+// Pairs stand in the order in which their forces are summed. Three kinds: grain-grain, grain-grain across a periodic face,
+// grain-bead; each kind has a run of pairs that touched when the list was made and a run of those that were near, padded
+// to whole blocks. Within a run, grains go by tiles of 64, and each tile takes one partner of every grain in turn:
+// neighbours in the list then do not wait for each other's force sums.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace jam {
 
 enum class PairKind { inner, across, bead };
-inline constexpr int pair_kinds = 3;
+inline constexpr std::size_t pair_kinds = 3, pair_runs = 2 * pair_kinds;
 
 /// The box of a periodic simulation; lengths 0 where it is not periodic.
 template <int D>
@@ -29,7 +29,8 @@ template <int D>
 struct PairList {
   static constexpr std::size_t spring_size = D == 2 ? 1 : 3;
 
-  std::array<std::size_t, pair_kinds + 1> start{};  ///< runs: kind k is start[k] .. start[k + 1]
+  /// run 2 k: pairs of kind k that touched, run 2 k + 1: the near ones; run r is start[r] .. start[r + 1]
+  std::array<std::size_t, pair_runs + 1> start{};
   Aligned<std::uint32_t> i, j;                      ///< i < j
   Aligned<std::uint32_t> shift;                     ///< kind `across`: which periodic image of j, a row of shifts()
   Aligned<double> mbar;                             ///< reduced mass

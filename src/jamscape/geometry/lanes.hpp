@@ -17,6 +17,14 @@ struct Mask {
   hn::Mask<Tag> m;
 };
 JAM_INLINE bool none(Mask a) { return hn::AllFalse(Tag(), a.m); }
+/// The lanes below n.
+JAM_INLINE Mask first_lanes(int n) { return {hn::FirstN(Tag(), static_cast<std::size_t>(n))}; }
+/// Bit l is lane l.
+JAM_INLINE std::uint32_t lane_bits(Mask a) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(Tag(), a.m, bits);
+  return bits[0];
+}
 
 struct Lanes {
   hn::Vec<Tag> v;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/base/flush_to_zero.hpp"
 #include "jamscape/dem/engine.hpp"
 #include "jamscape/protocol/plan.hpp"
 #include "jamscape/protocol/start.hpp"
@@ -115,6 +116,7 @@ class Run {
 }  // namespace
 
 Outcome simulate(const SystemOptions& system, const TaskKey& key, const Hooks& hooks, const Archive* from) {
+  const FlushToZero guard;
   return system.domain.dimension == 2 ? Run<2>(system, key, hooks).go(from) : Run<3>(system, key, hooks).go(from);
 }
 
