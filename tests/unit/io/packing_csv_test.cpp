@@ -1,0 +1,228 @@
+#include "jamscape/io/packing_csv.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <sstream>
+
+#include "packings.hpp"
+
+namespace jam {
+namespace {
+
+using namespace testing;
+
+/// A packing as a simulation would store it: sorted, with unit normals, tangential forces across them, plane walls.
+Packing sane_packing(int dimension, unsigned seed) {
+  Packing p = random_packing({.dimension = dimension, .bead_walls = 0, .plane_walls = 4, .seed = seed});
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  Grains& g = p.grains;
+  std::sort(g.id.begin(), g.id.end());
+  for (double& r : g.radius) r = 0.5 + std::abs(normal(generator));
+  p.stage = "press 1";
+  p.contacts = {};
+  for (std::size_t m = 0; m < 80; ++m) {
+    Contacts& c = p.contacts;
+    const auto i = static_cast<std::uint32_t>(m / 2);
+    c.i.push_back(i);
+    c.j.push_back(m % 2 == 0 ? -1 - static_cast<std::int32_t>(m % 4) : static_cast<std::int32_t>(i + 1 + m % 5));
+    c.part_i.push_back(0);
+    c.part_j.push_back(static_cast<std::uint16_t>(m % 2 == 0 ? m : 0));
+    const auto image = static_cast<std::int8_t>(m % 7 == 3 ? -1 : 0);
+    c.image.push_back({m % 2 == 0 ? std::int8_t{0} : image, 0, 0});
+    Vec3 n{normal(generator), normal(generator), dimension == 3 ? normal(generator) : 0};
+    n = (1 / norm(n)) * n;
+    c.normal.push_back(n);
+    c.tangential_force.push_back(dimension == 2 ? Vec3{-n[1], n[0], 0} : cross(n, Vec3{0, 0, 1}));
+    c.point.push_back({normal(generator), normal(generator), dimension == 3 ? normal(generator) : 0});
+    c.overlap.push_back(normal(generator));
+    c.normal_force.push_back(normal(generator));
+    c.sliding.push_back(static_cast<std::uint8_t>(m % 3 == 0));
+  }
+  for (std::size_t w = 0; w < p.walls.size(); ++w) p.walls[w].force = Vec3{};
+  for (std::size_t m = 0; m < p.contacts.size(); ++m)
+    if (p.contacts.j[m] < 0)
+      p.walls[static_cast<std::size_t>(-1 - p.contacts.j[m])].force +=
+          p.contacts.normal_force[m] * p.contacts.normal[m] - p.contacts.tangential_force[m];
+  return p;
+}
+
+/// The lines of a table in another order; the leading ones stay.
+std::string shuffled(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> head, rows;
+  for (std::string line; std::getline(in, line);)
+    (head.empty() || head.back()[0] == '#' ? head : rows).push_back(line + "\r\n");
+  std::shuffle(rows.begin(), rows.end(), std::mt19937_64(9));
+  std::string out;
+  for (const auto* lines : {&head, &rows})
+    for (const std::string& line : *lines) out += line;
+  return out;
+}
+
+class PackingCsv : public ::testing::Test {
+ protected:
+  ImportedPacking read(const std::string& particles, const std::string& contacts) {
+    put_bytes(folder_ / "p.csv", particles);
+    put_bytes(folder_ / "c.csv", contacts);
+    return read_packing_csv(folder_ / "p.csv", folder_ / "c.csv");
+  }
+  std::string error(const std::string& particles, const std::string& contacts) {
+    return error_of([&] { read(particles, contacts); });
+  }
+  bool noted(const ImportedPacking& imported, const std::string& text) {
+    return std::any_of(imported.notes.begin(), imported.notes.end(),
+                       [&](const std::string& note) { return note.find(text) != std::string::npos; });
+  }
+  Folder folder_;
+};
+
+const std::string two = "id,x,y,radius\n7,0,0,0.5\n9,0.9,0,0.5\n";
+
+TEST_F(PackingCsv, KeepsEveryBit) {
+  for (int dimension : {2, 3}) {
+    const Packing p = sane_packing(dimension, 3);
+    for (const char* ending : {".csv", ".csv.gz", ".csv.zst"}) {
+      const auto particles = folder_ / (std::string("p") + ending), contacts = folder_ / (std::string("c") + ending);
+      write_packing_csv(p, particles, contacts);
+      const ImportedPacking imported = read_packing_csv(particles, contacts);
+      expect_same(imported.packing, p);
+      EXPECT_TRUE(imported.notes.empty());
+    }
+  }
+}
+
+TEST_F(PackingCsv, RowsMayStandInAnyOrderAndEndInReturns) {
+  const Packing p = sane_packing(2, 4);
+  write_packing_csv(p, folder_ / "p.csv", folder_ / "c.csv");
+  Packing found = read(shuffled(bytes_of(folder_ / "p.csv")), shuffled(bytes_of(folder_ / "c.csv"))).packing;
+  for (std::size_t w = 0; w < p.walls.size(); ++w) {  // the order of the sum is another
+    EXPECT_NEAR(norm(found.walls[w].force - p.walls[w].force), 0, 1e-12);
+    found.walls[w].force = p.walls[w].force;
+  }
+  expect_same(found, p);
+}
+
+TEST_F(PackingCsv, TheLeastThereCanBe) {
+  const ImportedPacking imported = read(two, "id1,id2,fn\n9,7,2.5\n");
+  const Packing& p = imported.packing;
+  EXPECT_EQ(p.dimension, 2);
+  EXPECT_EQ(p.grains.id, (std::vector<std::int64_t>{7, 9}));
+  EXPECT_EQ(p.grains.mass, (std::vector<double>{1, 1}));
+  ASSERT_EQ(p.contacts.size(), 1u);
+  EXPECT_EQ(p.contacts.i[0], 0u);
+  EXPECT_EQ(p.contacts.j[0], 1);
+  EXPECT_EQ(p.contacts.normal_force[0], 2.5);
+  EXPECT_EQ(p.contacts.normal[0], (Vec3{1, 0, 0}));
+  EXPECT_NEAR(p.contacts.overlap[0], .1, 1e-15);
+  EXPECT_NEAR(norm(p.contacts.point[0] - Vec3{.45, 0, 0}), 0, 1e-15);
+  EXPECT_EQ(p.domain.lo, (Vec3{-.5, -.5, 0}));
+  EXPECT_EQ(p.domain.hi, (Vec3{1.4, .5, 0}));
+  EXPECT_NEAR(p.packing_fraction, 2 * std::numbers::pi / 4 / 1.9, 1e-15);
+  EXPECT_EQ(p.packing_fraction_plain, p.packing_fraction);
+  EXPECT_TRUE(noted(imported, "no box is given"));
+  EXPECT_TRUE(noted(imported, "no masses are given"));
+}
+
+TEST_F(PackingCsv, ForceVectorsAndOtherNames) {
+  // The force on id1: pushed away from the other grain by 2, and to +y by 0.5.
+  const Packing p =
+      read("Particle,X,Y,Diameter,Type\n1,0,0,1,3\n2,1,0,1,4\n", "Particle1,Particle2,Fx,Fy\n1,2,-2,0.5\n").packing;
+  EXPECT_EQ(p.grains.radius, (std::vector<double>{.5, .5}));
+  EXPECT_EQ(p.grains.species, (std::vector<std::int32_t>{3, 4}));
+  EXPECT_EQ(p.contacts.normal_force[0], 2);
+  EXPECT_EQ(p.contacts.tangential_force[0], (Vec3{0, .5, 0}));
+}
+
+TEST_F(PackingCsv, ScalarTangentialForcePointsLeftOfTheNormal) {
+  const Packing p = read(two, "id1,id2,fn,ft\n9,7,1,0.25\n").packing;
+  // On grain 9 the normal is -x, left of it is -y; grain 7 feels the opposite.
+  EXPECT_EQ(p.contacts.tangential_force[0], (Vec3{0, .25, 0}));
+  const std::string three = "id,x,y,z,radius\n7,0,0,0,0.5\n9,0.9,0,1,0.5\n";
+  EXPECT_TRUE(noted(read(three, "id1,id2,fn,ft\n9,7,1,0.25\n"), "need the columns ftx"));
+}
+
+TEST_F(PackingCsv, MirroredRowsAreAveraged) {
+  const ImportedPacking imported = read(two, "id1,id2,fn,ft\n9,7,1,0.5\n7,9,2,0.5\n");
+  ASSERT_EQ(imported.packing.contacts.size(), 1u);
+  EXPECT_EQ(imported.packing.contacts.normal_force[0], 1.5);
+  EXPECT_EQ(imported.packing.contacts.tangential_force[0], (Vec3{0, .5, 0}));
+  EXPECT_TRUE(noted(imported, "1 of 1 contacts are given from both sides"));
+  EXPECT_NE(error(two, "id1,id2,fn\n7,9,1\n9,7,1\n7,9,3\n").find("was given before"), std::string::npos);
+  EXPECT_NE(error(two, "id1,id2,fn\n7,9,1\n7,9,2\n").find("c.csv:3:1: the contact of 7 and 9 was given before, at "),
+            std::string::npos);
+  EXPECT_EQ(read(two, "id1,id2,fn,part1\n7,9,1,0\n7,9,2,1\n").packing.contacts.size(), 2u);
+}
+
+TEST_F(PackingCsv, Walls) {
+  const ImportedPacking known = read(two, "# wall: -0.4 0 0 1 0 0 0 0 0\nid1,id2,fn,nx,ny\n7,-1,3,-1,0\n7,9,3,1,0\n");
+  ASSERT_EQ(known.packing.walls.size(), 1u);
+  EXPECT_EQ(known.packing.walls[0].normal, (Vec3{1, 0, 0}));
+  EXPECT_EQ(known.packing.walls[0].force, (Vec3{-3, 0, 0}));
+  const ImportedPacking unknown = read(two, "id1,id2,fn,x,y\n7,-2,3,-0.5,0\n");
+  ASSERT_EQ(unknown.packing.walls.size(), 2u);
+  EXPECT_EQ(unknown.packing.walls[1].normal, (Vec3{1, 0, 0}));
+  EXPECT_EQ(unknown.packing.contacts.j[0], -2);
+  EXPECT_TRUE(noted(unknown, "known by their contacts only"));
+  EXPECT_NE(error(two, "id1,id2,fn\n7,-1,3\n").find("direction of a contact with a wall"), std::string::npos);
+  EXPECT_NE(error(two, "id1,id2,fn,nx,ny\n-1,7,3,1,0\n").find("there is no grain -1"), std::string::npos);
+  EXPECT_NE(error(two, "id1,id2,fn\n7,-1000000000000000000,3\n").find("there is no grain"), std::string::npos);
+}
+
+TEST_F(PackingCsv, PeriodicBoxes) {
+  const std::string box = "# lo: 0 0 0\n# hi: 10 10 0\n# periodic: 1 0 0\nid,x,y,radius\n";
+  const Packing p = read(box + "1,0.2,5,0.5\n2,9.3,5,0.5\n", "id1,id2,fn\n1,2,1\n").packing;
+  EXPECT_EQ(p.contacts.image[0], (std::array<std::int8_t, 3>{-1, 0, 0}));
+  EXPECT_NEAR(p.contacts.overlap[0], .1, 1e-14);
+  EXPECT_EQ(p.contacts.normal[0], (Vec3{-1, 0, 0}));
+  const Packing other = read(box + "1,0.2,5,0.5\n2,9.3,5,0.5\n", "id1,id2,fn,sx,sy\n2,1,1,1,0\n").packing;
+  EXPECT_EQ(other.contacts.image, p.contacts.image);
+  EXPECT_NEAR(norm(other.contacts.point[0] - p.contacts.point[0]), 0, 1e-14);
+  EXPECT_NE(error("# lo: 0 0 0\n# hi: 3 9 0\n# periodic: 1 0 0\nid,x,y,radius\n1,0,0,1\n2,1,1,1\n", "id1,id2,fn\n")
+                .find("narrower than two grains along x"),
+            std::string::npos);
+}
+
+TEST_F(PackingCsv, ForcesOnEveryGrainAreTheSumOfItsContacts) {
+  const Packing p = sane_packing(2, 8);
+  write_packing_csv(p, folder_ / "p.csv", folder_ / "c.csv");
+  const Packing q = read_packing_csv(folder_ / "p.csv", folder_ / "c.csv").packing;
+  const auto total = [](const Packing& packing) {
+    std::vector<Vec3> force(packing.grains.size(), Vec3{});
+    const Contacts& c = packing.contacts;
+    for (std::size_t m = 0; m < c.size(); ++m) {
+      const Vec3 on_i = c.tangential_force[m] - c.normal_force[m] * c.normal[m];
+      force[c.i[m]] += on_i;
+      if (c.j[m] >= 0) force[static_cast<std::size_t>(c.j[m])] -= on_i;
+    }
+    return force;
+  };
+  EXPECT_TRUE(same_bits(total(p), total(q)));
+}
+
+TEST_F(PackingCsv, ErrorsSayWhereAndWhatToTry) {
+  const std::string contacts = "id1,id2,fn\n";
+  EXPECT_NE(error("id,x,y,radiu\n1,0,0,1\n", contacts).find("did you mean 'radius' by 'radiu'?"), std::string::npos);
+  EXPECT_NE(error("idx,x,y,radius\n1,0,0,1\n", contacts).find("there is no column 'id'"), std::string::npos);
+  EXPECT_NE(error("id,x,radius\n1,0,1\n", contacts).find("there is no column 'y'"), std::string::npos);
+  EXPECT_NE(error("id,x,y,radius\n1,0,0,1\n2,0,0,1\n1,3,3,1\n", contacts).find("p.csv:4:1: grain 1 was given before"),
+            std::string::npos);
+  EXPECT_NE(error("id,x,y,radius\n1,0,0,-1\n", contacts).find("p.csv:2:7: '-1' in column 'radius' is no size"),
+            std::string::npos);
+  EXPECT_NE(error("id,x,y,radius\n1,0,nan,1\n", contacts).find("p.csv:2:5: 'nan' in column 'y' is no finite"),
+            std::string::npos);
+  EXPECT_NE(error("# lo: 0 0 0\nid,x,y,radius\n1,0,0,1\n", contacts).find("the box is given in part"),
+            std::string::npos);
+  EXPECT_NE(error("# step: x\nid,x,y,radius\n1,0,0,1\n", contacts).find("the step 'x'"), std::string::npos);
+  EXPECT_NE(error(two, "id1,id2,fm\n").find("did you mean 'fn' by 'fm'?"), std::string::npos);
+  EXPECT_NE(error(two, "id1,id2,fn\n7,8,1\n").find("c.csv:2:3: there is no grain 8"), std::string::npos);
+  EXPECT_NE(error(two, "id1,id2,fn\n7,7,1\n").find("c.csv:2:3: grain 7 touches itself"), std::string::npos);
+  EXPECT_NE(error(two, "id1,id2,fn\n7,9,\n").find("c.csv:2:5: '' in column 'fn' is no finite"), std::string::npos);
+  EXPECT_NE(error(two, "id1,id2,fn\n7,9\n").find("c.csv:2:1: a row has 2 fields"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_packing_csv(folder_ / "none.csv", folder_ / "c.csv"); }).find("none.csv"),
+            std::string::npos);
+  EXPECT_FALSE(error_of([&] { read_packing_csv(folder_ / "", folder_ / "c.csv"); }).empty());
+}
+
+}  // namespace
+}  // namespace jam
