@@ -16,6 +16,8 @@ template <class... F>
 struct Overload : F... {
   using F::operator()...;
 };
+template <class... F>
+Overload(F...) -> Overload<F...>;
 
 std::string name_of(const Written& written) {
   return std::visit(Overload{[](bool b) { return fmt::format("the truth value {}", b); },
