@@ -8,66 +8,70 @@
 namespace jam {
 namespace {
 
-constexpr int kBits = 11, kBuckets = 1 << kBits, kPasses = 3;
-constexpr std::size_t kSmall = 256;  // below it comparison sort is faster than clearing the buckets
+constexpr unsigned kBits = 11, kBuckets = 1u << kBits;
+constexpr std::size_t kSmall = 256;       // below it comparison sort is faster than clearing the buckets
+constexpr std::size_t kLarge = 1u << 18;  // above it too many weights agree in 22 leading bits, and a third pass pays
+constexpr std::size_t kAhead = 16;        // weights asked for before they are needed; enough to hide main memory
 
-using Histogram = std::array<std::uint32_t, kBuckets>;
-
-std::size_t digit(std::uint64_t item, int pass) { return (item >> (32 + kBits * pass)) & (kBuckets - 1); }
+std::size_t digit(std::uint64_t item, unsigned pass) { return (item >> (32 + kBits * pass)) & (kBuckets - 1); }
 
 }  // namespace
 
 void EdgeOrder::sort(std::span<const double> weight) {
   const std::size_t n = weight.size();
   items_.resize(n);
+  spare_.resize(n);
   if (n == 0) return;
   const auto heavier = [&](std::uint64_t a, std::uint64_t b) {
     const auto i = static_cast<std::uint32_t>(a), j = static_cast<std::uint32_t>(b);
     return weight[i] > weight[j] || (weight[i] == weight[j] && i < j);
   };
 
-  double low = weight[0], high = weight[0];
-  for (const double w : weight) {
-    low = std::min(low, w);
-    high = std::max(high, w);
-  }
-  // Difference, product and truncation are monotonic, so unequal leading bits order two weights correctly.
-  double scale = 4294967295.0 / (high - low);
-  if (!std::isfinite(scale) || !std::isfinite((high - low) * scale)) scale = 0;
-  const auto item = [&](std::size_t e) {
-    const auto leading = scale > 0 ? static_cast<std::uint64_t>((weight[e] - low) * scale) : 0;
-    return (0xFFFFFFFFu - std::min<std::uint64_t>(leading, 0xFFFFFFFFu)) << 32 | e;
-  };
-
-  if (n <= kSmall) {
-    for (std::size_t e = 0; e < n; ++e) items_[e] = item(e);
+  if (n < kSmall) {
+    for (std::size_t e = 0; e < n; ++e) items_[e] = e;
     std::sort(items_.begin(), items_.end(), heavier);
-    return;
+  } else {
+    sort_leading_bits(weight);
+  }
+  for (std::size_t r = 0; r < n; ++r) {
+    if (r + kAhead < n) __builtin_prefetch(&weight[edge(r + kAhead)]);
+    spare_[r] = std::bit_cast<std::uint64_t>(weight[edge(r)]);
   }
 
-  spare_.resize(n);
-  std::array<Histogram, kPasses> count{};
-  for (std::size_t e = 0; e < n; ++e) {
-    const auto it = item(e);
-    spare_[e] = it;
-    for (int pass = 0; pass < kPasses; ++pass) ++count[static_cast<std::size_t>(pass)][digit(it, pass)];
+  for (std::size_t r = 1; r < n; ++r) {
+    if (this->weight(r) <= this->weight(r - 1)) continue;
+    // Only weights that agree in their leading bits can be out of order: sort all that do.
+    std::size_t first = r - 1, last = r + 1;
+    while (first > 0 && items_[first - 1] >> 32 == items_[r] >> 32) --first;
+    while (last < n && items_[last] >> 32 == items_[r] >> 32) ++last;
+    std::sort(items_.begin() + static_cast<std::ptrdiff_t>(first), items_.begin() + static_cast<std::ptrdiff_t>(last),
+              heavier);
+    for (auto k = first; k < last; ++k) spare_[k] = std::bit_cast<std::uint64_t>(weight[edge(k)]);
+    r = last - 1;
   }
-  for (int pass = 0; pass < kPasses; ++pass) {
-    auto& place = count[static_cast<std::size_t>(pass)];
+}
+
+void EdgeOrder::sort_leading_bits(std::span<const double> weight) {
+  const unsigned passes = weight.size() < kLarge ? 2 : 3;
+  const std::uint64_t most = (std::uint64_t{1} << std::min(32u, kBits * passes)) - 1;
+  const auto [low, high] = std::minmax_element(weight.begin(), weight.end());
+  // Difference, product and truncation are monotonic, so unequal leading bits order two weights correctly.
+  double scale = static_cast<double>(most) / (*high - *low);
+  if (!std::isfinite(scale) || !std::isfinite(*high - *low)) scale = 0;
+
+  std::array<std::array<std::uint32_t, kBuckets>, 3> places{};
+  for (std::size_t e = 0; e < weight.size(); ++e) {
+    const auto leading = static_cast<std::uint64_t>((weight[e] - *low) * scale);
+    const auto item = (most - std::min(leading, most)) << 32 | e;
+    items_[e] = item;
+    for (unsigned pass = 0; pass < passes; ++pass) ++places[pass][digit(item, pass)];
+  }
+  for (unsigned pass = 0; pass < passes; ++pass) {
+    auto& place = places[pass];
     std::uint32_t sum = 0;
-    for (auto& c : place) sum += std::exchange(c, sum);
-    for (const auto it : spare_) items_[place[digit(it, pass)]++] = it;
+    for (auto& count : place) sum += std::exchange(count, sum);
+    for (const auto item : items_) spare_[place[digit(item, pass)]++] = item;
     items_.swap(spare_);
-  }
-  items_.swap(spare_);
-
-  for (std::size_t first = 0; first + 1 < n;) {
-    std::size_t last = first + 1;
-    while (last < n && items_[last] >> 32 == items_[first] >> 32) ++last;
-    const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = items_.begin() + static_cast<std::ptrdiff_t>(last);
-    if (last > first + 1 && !std::is_sorted(begin, end, heavier)) std::sort(begin, end, heavier);
-    first = last;
   }
 }
 

@@ -1,5 +1,5 @@
-// Disjoint sets in which the smallest member leads: number the members by age, oldest first, and a merge is the elder
-// rule of persistence (the younger set's leader dies).
+// Disjoint sets whose leader is the oldest member: the elder rule of persistence (of two merging sets, the younger
+// leader dies).
 #pragma once
 
 #include <cstdint>
@@ -35,13 +35,24 @@ class UnionFind {
     }
   }
 
-  Merge unite(std::uint32_t a, std::uint32_t b) {
+  /// `older(x, y)`: whether leader x outlives leader y.
+  template <class Older>
+  Merge unite(std::uint32_t a, std::uint32_t b, Older&& older) {
     a = find(a);
     b = find(b);
-    if (b < a) std::swap(a, b);
+    if (a == b) return {a, a};
+    if (older(b, a)) std::swap(a, b);
     parent_[b] = a;
     return {a, b};
   }
+
+  /// The smaller number is older.
+  Merge unite(std::uint32_t a, std::uint32_t b) {
+    return unite(a, b, [](std::uint32_t x, std::uint32_t y) { return x < y; });
+  }
+
+  /// Asks the cache for a member that find() will need soon.
+  void prefetch(std::uint32_t a) const { __builtin_prefetch(&parent_[a], 1); }
 
   std::uint32_t members() const { return static_cast<std::uint32_t>(parent_.size()); }
 

@@ -11,13 +11,13 @@ CliqueBuilder::CliqueBuilder(const OlderGraph& graph, std::span<const Ends> ends
   for (std::uint32_t k = 2; k <= dimension; ++k) {
     cliques_[k - 2].dimension = k;
     cliques_[k - 2].clear();
-    if (k < dimension) cliques_[k - 2].group.reserve(ends.size());
+    if (k < dimension) cliques_[k - 2].group.resize(ends.size());
   }
 }
 
 void CliqueBuilder::begin_edge(std::uint32_t rank) {
   rank_ = rank;
-  for (std::uint32_t k = 2; k < dimension_; ++k) cliques_[k - 2].group.push_back(cliques_[k - 2].count());
+  for (std::uint32_t k = 2; k < dimension_; ++k) cliques_[k - 2].group[rank] = cliques_[k - 2].count();
 }
 
 void CliqueBuilder::add(std::span<const CommonNeighbour> common) {
@@ -25,7 +25,7 @@ void CliqueBuilder::add(std::span<const CommonNeighbour> common) {
   auto& triangles = cliques_[0];
   for (const auto& c : common) {
     triangles.facets.insert(triangles.facets.end(), {rank_, c.link_a, c.link_b});
-    triangles.others.push_back(c.age);
+    triangles.others.push_back(c.vertex);
     triangles.partner.push_back(kUnpaired);
   }
   const std::size_t n = common.size();
@@ -33,7 +33,7 @@ void CliqueBuilder::add(std::span<const CommonNeighbour> common) {
   links_.assign(n * n, OlderGraph::kNone);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      links_[i * n + j] = links_[j * n + i] = graph_.linked(common[i].age, common[j].age);
+      links_[i * n + j] = links_[j * n + i] = graph_.linked(common[i].vertex, common[j].vertex);
     }
   }
   if (dimension_ == 2) {
@@ -72,17 +72,17 @@ bool CliqueBuilder::begins_class() const {
 
 void CliqueBuilder::add_larger(std::uint32_t dimension) {
   auto& cells = cliques_[dimension - 2];
-  for (std::size_t i = chosen_.size(); i-- > 0;) cells.facets.push_back(facet_of_group(dimension - 1, i));
+  for (std::size_t i = 0; i < chosen_.size(); ++i) cells.facets.push_back(facet_of_group(dimension - 1, i));
   cells.facets.push_back(facet_without_end(dimension - 1, true));
   cells.facets.push_back(facet_without_end(dimension - 1, false));
-  for (const auto c : chosen_) cells.others.push_back(common_[c].age);
+  for (const auto c : chosen_) cells.others.push_back(common_[c].vertex);
   cells.partner.push_back(dimension == dimension_ && begins_class() ? kCleared : kUnpaired);
 }
 
 std::uint32_t CliqueBuilder::facet_of_group(std::uint32_t dimension, std::size_t left_out) {
   others_.clear();
   for (std::size_t i = 0; i < chosen_.size(); ++i) {
-    if (i != left_out) others_.push_back(common_[chosen_[i]].age);
+    if (i != left_out) others_.push_back(common_[chosen_[i]].vertex);
   }
   return find(dimension, rank_, others_);
 }
@@ -96,11 +96,11 @@ std::uint32_t CliqueBuilder::facet_without_end(std::uint32_t dimension, bool wit
   }
   const auto [a, b] = ends_[youngest];
   others_.clear();
-  const auto keep = [&, p = a, q = b](std::uint32_t age) {
-    if (age != p && age != q) others_.push_back(age);
+  const auto keep = [&, p = a, q = b](std::uint32_t vertex) {
+    if (vertex != p && vertex != q) others_.push_back(vertex);
   };
   keep(without_a ? ends_[rank_].b : ends_[rank_].a);
-  for (const auto c : chosen_) keep(common_[c].age);
+  for (const auto c : chosen_) keep(common_[c].vertex);
   std::sort(others_.begin(), others_.end());
   return find(dimension, youngest, others_);
 }

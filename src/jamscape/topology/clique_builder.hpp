@@ -41,7 +41,7 @@ class CliqueBuilder {
   std::span<const CommonNeighbour> common_;
   std::vector<std::uint32_t> links_;   // matrix over common_: rank of the link between two of them, or none
   std::vector<std::size_t> chosen_;    // indices into common_, increasing: the clique under construction
-  std::vector<std::uint32_t> others_;  // ages, for lookups
+  std::vector<std::uint32_t> others_;  // vertices, for lookups
 };
 
 }  // namespace jam

@@ -6,18 +6,19 @@
 
 namespace jam {
 
-/// The partner of a cell that begins a class is the cell that ends it; these stand where there is none.
+/// What is known about a cell: the cell that ends the class it begins, or one of these. Cell numbers are below 2^31;
+/// the number of an ending cell that enters with the same edge carries the bit kAtOnce.
 enum Partner : std::uint32_t {
   kUnpaired = 0xFFFFFFFFu,  ///< begins a class that nothing ends (as far as is known yet)
   kNegative = 0xFFFFFFFEu,  ///< ends a class of the dimension below
   kCleared = 0xFFFFFFFDu,   ///< begins a class that is of no interest
+  kAtOnce = 0x80000000u,
 };
 
 struct Cliques {
   std::uint32_t dimension = 2;
-  std::vector<std::uint32_t>
-      facets;  ///< k + 1 a clique: cells of dimension k - 1; the first has the same youngest edge
-  std::vector<std::uint32_t> others;   ///< k - 1 a clique: its vertices outside the youngest edge, by increasing age
+  std::vector<std::uint32_t> facets;   ///< k + 1 a clique: cells of dimension k - 1, the youngest first
+  std::vector<std::uint32_t> others;   ///< k - 1 a clique: its vertices outside the youngest edge, increasing
   std::vector<std::uint32_t> group;    ///< of each edge rank: its first clique; kept only where the next dimension asks
   std::vector<std::uint32_t> partner;  ///< one a clique
 

@@ -6,74 +6,94 @@
 #include "jamscape/topology/clique_builder.hpp"
 
 namespace jam {
+namespace {
+
+constexpr std::uint32_t kAhead = 16;  // edges between asking the cache and using it: enough to hide main memory
+
+}  // namespace
 
 void Filtration::build(const WeightedGraph& graph, int dimension) {
   validate_edges(graph);
-  order_.sort(graph.weight);
-  age_vertices(graph);
-  sets_.reset(vertices());
-  vertex_partner.assign(vertices(), kUnpaired);
-  edge_partner.assign(edges(), kUnpaired);
-  cliques.clear();
+  rank_edges(graph);
   if (dimension < 2) {
     validate(graph);
-    for (std::uint32_t r = 0; r < edges(); ++r) {
-      const auto merge = sets_.unite(ends_[r].a, ends_[r].b);
-      if (!merge.joined()) continue;
-      edge_partner[r] = kNegative;
-      vertex_partner[merge.lost] = r;
-    }
-  } else {
-    sweep(graph, static_cast<std::uint32_t>(dimension));
+    cliques.clear();
+    sweep([](std::uint32_t, Ends, bool) {});
+    return;
   }
-}
-
-void Filtration::age_vertices(const WeightedGraph& graph) {
-  const auto n = static_cast<std::uint32_t>(graph.edges());
-  age_of_.assign(graph.vertices, kNoAge);
-  vertex_.clear();
-  entry_.clear();
-  ends_.resize(n);
-  for (std::uint32_t first = 0; first < n;) {
-    const double weight = graph.weight[edge(first)];
-    std::uint32_t last = first + 1;
-    while (last < n && order_.may_tie_with_previous(last) && graph.weight[edge(last)] == weight) ++last;
-
-    const auto known = vertices();
-    for (auto r = first; r < last; ++r) {
-      for (const auto v : {graph.from[edge(r)], graph.to[edge(r)]}) {
-        if (age_of_[v] != kNoAge) continue;
-        age_of_[v] = 0;
-        vertex_.push_back(v);
-      }
-    }
-    std::sort(vertex_.begin() + known, vertex_.end());
-    entry_.resize(vertices(), first);
-    for (auto age = known; age < vertices(); ++age) age_of_[vertex_[age]] = age;
-    for (auto r = first; r < last; ++r) {
-      const auto a = age_of_[graph.from[edge(r)]], b = age_of_[graph.to[edge(r)]];
-      ends_[r] = {std::min(a, b), std::max(a, b)};
-    }
-    first = last;
-  }
-}
-
-void Filtration::sweep(const WeightedGraph& graph, std::uint32_t dimension) {
-  older_.reset(vertices(), ends_);
-  CliqueBuilder builder(older_, ends_, std::min(dimension, std::max(2u, older_.max_degree())), cliques);
-  for (std::uint32_t r = 0; r < edges(); ++r) {
-    const auto e = ends_[r];
-    builder.begin_edge(r);
-    const auto merge = sets_.unite(e.a, e.b);
-    if (merge.joined()) {
-      edge_partner[r] = kNegative;
-      vertex_partner[merge.lost] = r;
-    } else {
+  older_.reset(degree_, ends_);
+  const auto largest = std::max(2u, older_.max_degree());  // a clique of dimension k needs k edges at each vertex
+  CliqueBuilder builder(older_, ends_, std::min(static_cast<std::uint32_t>(dimension), largest), cliques);
+  sweep([&](std::uint32_t rank, Ends e, bool joins) {
+    if (rank + kAhead < edges()) older_.prefetch(ends_[rank + kAhead]);
+    if (rank + kAhead / 2 < edges()) older_.prefetch_neighbours(ends_[rank + kAhead / 2]);
+    builder.begin_edge(rank);
+    if (!joins) {
       if (!older_.common(e, common_)) validate(graph);  // a repeated edge: throws, naming it
       if (!common_.empty()) builder.add(common_);
     }
-    older_.add(e, r);
+    older_.add(e, rank);
+  });
+}
+
+void Filtration::rank_edges(const WeightedGraph& graph) {
+  order_.sort(graph.weight);
+  degree_.assign(graph.vertices, 0);
+  for (std::size_t e = 0; e < graph.edges(); ++e) {
+    ++degree_[graph.from[e]];
+    ++degree_[graph.to[e]];
   }
+  ends_.resize(edges());
+  for (std::uint32_t r = 0; r < edges(); ++r) {
+    if (r + kAhead < edges()) {
+      __builtin_prefetch(&graph.from[edge(r + kAhead)]);
+      __builtin_prefetch(&graph.to[edge(r + kAhead)]);
+    }
+    ends_[r] = {graph.from[edge(r)], graph.to[edge(r)]};
+  }
+}
+
+template <class Close>
+void Filtration::sweep(const Close& close) {
+  const auto n = edges();
+  vertices_.assign(degree_.size(), {kIsolated, kUnpaired});
+  entering_.clear();
+  edge_partner.resize(n);
+  sets_.reset(static_cast<std::uint32_t>(degree_.size()));
+  const auto older = [&](std::uint32_t a, std::uint32_t b) {
+    return vertices_[a].entry < vertices_[b].entry || (vertices_[a].entry == vertices_[b].entry && a < b);
+  };
+
+  std::uint32_t first = 0;  // of the edges that weigh as much as the present one
+  std::size_t known = 0;    // vertices that entered before them
+  const auto order_newcomers = [&] {
+    if (entering_.size() > known + 1)
+      std::sort(entering_.begin() + static_cast<std::ptrdiff_t>(known), entering_.end());
+    known = entering_.size();
+  };
+  for (std::uint32_t r = 0; r < n; ++r) {
+    if (r + kAhead < n) {
+      for (const auto v : {ends_[r + kAhead].a, ends_[r + kAhead].b}) {
+        __builtin_prefetch(&vertices_[v], 1);
+        sets_.prefetch(v);
+      }
+    }
+    if (weight(r) != weight(first)) {
+      order_newcomers();
+      first = r;
+    }
+    const auto e = ends_[r];
+    for (const auto v : {e.a, e.b}) {
+      if (vertices_[v].entry != kIsolated) continue;
+      vertices_[v].entry = first;
+      entering_.push_back(v);
+    }
+    const auto merge = sets_.unite(e.a, e.b, older);
+    if (merge.joined()) vertices_[merge.lost].partner = vertices_[merge.lost].entry == first ? r | kAtOnce : r;
+    edge_partner[r] = merge.joined() ? kNegative : kUnpaired;
+    close(r, e, merge.joined());
+  }
+  order_newcomers();
 }
 
 std::uint32_t Filtration::youngest_edge(std::uint32_t dimension, std::uint32_t cell) const {

@@ -1,9 +1,10 @@
 // A graph that grows edge by edge, oldest first, and answers which vertices its edges so far link to both of two
 // others.
 //
-// Neighbours lie in one array with room for all, appended as edges come: contact networks have few neighbours, and
-// comparing them pair by pair beats any index. Vertices with more than kHub edges also get a list sorted by age, so
-// that a search costs the smaller neighbourhood times the logarithm of the larger, on any graph.
+// Neighbours lie in one array with room for all, appended as edges come. Each vertex has 64 bits, one set for each
+// neighbour by a hash: two vertices without a bit in common have no neighbour in common, which settles most questions.
+// The rest compare two short lists; vertices with more than kHub edges also have a sorted list, so that a search costs
+// the smaller neighbourhood times the logarithm of the larger, on any graph.
 #pragma once
 
 #include <cstdint>
@@ -12,33 +13,31 @@
 
 namespace jam {
 
-/// The two ends of an edge by age, the older first.
 struct Ends {
   std::uint32_t a, b;
 };
 
 /// A vertex linked to both ends of an edge, and the ranks of the two links.
 struct CommonNeighbour {
-  std::uint32_t age, link_a, link_b;
+  std::uint32_t vertex, link_a, link_b;
 };
 
 class OlderGraph {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-  static constexpr std::uint32_t kHub =
-      32;  ///< fewer: more graphs pay for sorting; more: long lists compared pair by pair
+  static constexpr std::uint32_t kHub = 32;  ///< smaller: more graphs pay for sorting; larger: long lists are compared
 
-  /// No edges yet, room for these.
-  void reset(std::uint32_t vertices, std::span<const Ends> edges);
+  /// Room for edges with these ends, by rank; none is added yet. `degree` has one entry a vertex.
+  void reset(std::span<const std::uint32_t> degree, std::span<const Ends> edges);
 
+  /// Edges must be added rank by rank.
   void add(Ends e, std::uint32_t rank) {
-    around_[end_[e.a]++] = {e.b, rank};
-    around_[end_[e.b]++] = {e.a, rank};
+    append(vertices_[e.a], {e.b, rank});
+    append(vertices_[e.b], {e.a, rank});
     added_ = rank + 1;
   }
 
-  /// Vertices linked to both ends by edges added so far, by increasing age. False if the two ends are linked
-  /// themselves.
+  /// Vertices linked to both ends by edges added so far, by increasing number. False if the two ends are linked.
   bool common(Ends e, std::vector<CommonNeighbour>& found) const;
 
   /// Rank of the edge added between two vertices, kNone if there is none.
@@ -46,21 +45,42 @@ class OlderGraph {
 
   std::uint32_t max_degree() const { return max_degree_; }
 
+  /// Ask the cache for what an edge will need soon: first its vertices, some time later their neighbours.
+  void prefetch(Ends e) const {
+    __builtin_prefetch(&vertices_[e.a], 1);
+    __builtin_prefetch(&vertices_[e.b], 1);
+  }
+  void prefetch_neighbours(Ends e) const {
+    __builtin_prefetch(&neighbours_[vertices_[e.a].begin], 1);
+    __builtin_prefetch(&neighbours_[vertices_[e.b].begin], 1);
+  }
+
  private:
   struct Neighbour {
-    std::uint32_t age, rank;
+    std::uint32_t vertex, rank;
+  };
+  struct Vertex {  // what a question needs first, in one cache line
+    std::uint32_t begin, end;
+    std::uint64_t hashes;
   };
 
-  std::span<const Neighbour> around(std::uint32_t v) const { return {around_.data() + begin_[v], end_[v] - begin_[v]}; }
-  void index_hubs(std::uint32_t vertices, std::span<const Ends> edges);
+  static std::uint64_t hash(std::uint32_t vertex) { return std::uint64_t{1} << (vertex * 0x9E3779B1u >> 26); }
+  void append(Vertex& v, Neighbour n) {
+    neighbours_[v.end++] = n;
+    v.hashes |= hash(n.vertex);
+  }
+  std::span<const Neighbour> around(std::uint32_t v) const {
+    return {neighbours_.data() + vertices_[v].begin, vertices_[v].end - vertices_[v].begin};
+  }
+  void index_hubs(std::span<const std::uint32_t> degree, std::span<const Ends> edges);
   std::uint32_t linked_to_hub(std::uint32_t hub, std::uint32_t other) const;
 
-  std::vector<std::uint32_t> begin_, end_;  // one a vertex, into around_
-  std::vector<Neighbour> around_;
+  std::vector<Vertex> vertices_;
+  std::vector<Neighbour> neighbours_;
   std::uint32_t max_degree_ = 0;
-  std::uint32_t added_ = 0;               // edges of smaller rank have been added
-  std::vector<std::uint32_t> hub_begin_;  // one a vertex and one more, into hub_around_; empty without hubs
-  std::vector<Neighbour> hub_around_;     // all edges of the hubs, also those not added yet
+  std::uint32_t added_ = 0;                // edges of smaller rank have been added
+  std::vector<std::uint32_t> hub_begin_;   // one a vertex and one more, into hub_neighbours_; unused without hubs
+  std::vector<Neighbour> hub_neighbours_;  // all edges of the hubs, also those not added yet
 };
 
 }  // namespace jam

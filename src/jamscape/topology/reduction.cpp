@@ -25,10 +25,9 @@ void Reduction::pair(Cliques& columns, std::vector<std::uint32_t>& rows) {
   begin_.assign(1, 0);
   for (std::uint32_t c = 0; c < columns.count(); ++c) {
     if (columns.partner[c] != kUnpaired) continue;
-    const auto* facet = columns.facets_of(c);
-    const auto youngest = *std::max_element(facet, facet + columns.dimension + 1);
+    const auto youngest = columns.facets_of(c)[0];
     if (rows[youngest] == kUnpaired) {
-      rows[youngest] = c;
+      rows[youngest] = c | kAtOnce;
       columns.partner[c] = kNegative;
       continue;
     }
@@ -36,7 +35,7 @@ void Reduction::pair(Cliques& columns, std::vector<std::uint32_t>& rows) {
     while (!work_.empty()) {
       const auto row = work_.largest();
       if (rows[row] != kUnpaired) {
-        add_column(columns, rows[row], rows);
+        add_column(columns, rows[row] & ~kAtOnce, rows);
         continue;
       }
       rows[row] = c;

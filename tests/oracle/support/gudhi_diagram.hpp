@@ -3,11 +3,15 @@
 // loops of a network without triangles are missing.
 #pragma once
 
+// GUDHI 3.7 uses std::cout without including it.
+// clang-format off
+#include <iostream>
 #include <gudhi/Persistent_cohomology.h>
 #include <gudhi/Simplex_tree.h>
+// clang-format on
 
 #include <algorithm>
-#include <iostream>  // GUDHI 3.7 uses std::cout without it
+#include <array>
 #include <tuple>
 #include <vector>
 
@@ -18,9 +22,13 @@ namespace jam::examples {
 /// dimension, birth, death, essential; zero-length pairs left out, essential classes die at 0.
 using Point = std::tuple<int, double, double, bool>;
 
-/// Complex built and reduced, as much as has to be done for an answer.
+/// GUDHI's options for fast persistence, but with double values.
+struct GudhiOptions : Gudhi::Simplex_tree_options_fast_persistence {
+  using Filtration_value = double;
+};
+
 inline std::vector<Point> gudhi_diagram(const WeightedGraph& graph, const PersistenceOptions& options = {}) {
-  using Tree = Gudhi::Simplex_tree<>;
+  using Tree = Gudhi::Simplex_tree<GudhiOptions>;
   using Cohomology = Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Gudhi::persistent_cohomology::Field_Zp>;
   std::vector<double> value(graph.vertices, 0);
   for (std::size_t e = 0; e < graph.edges(); ++e) {
@@ -28,11 +36,9 @@ inline std::vector<Point> gudhi_diagram(const WeightedGraph& graph, const Persis
   }
   Tree tree;
   const auto vertex = [](std::uint32_t v) { return static_cast<Tree::Vertex_handle>(v); };
-  for (std::uint32_t v = 0; v < graph.vertices; ++v) tree.insert_simplex(std::vector{vertex(v)}, -value[v]);
-  if (options.max_dimension > 0 || graph.edges() > 0) {
-    for (std::size_t e = 0; e < graph.edges(); ++e) {
-      tree.insert_simplex(std::vector{vertex(graph.from[e]), vertex(graph.to[e])}, -graph.weight[e]);
-    }
+  for (std::uint32_t v = 0; v < graph.vertices; ++v) tree.insert_simplex(std::array{vertex(v)}, -value[v]);
+  for (std::size_t e = 0; e < graph.edges(); ++e) {
+    tree.insert_simplex(std::array{vertex(graph.from[e]), vertex(graph.to[e])}, -graph.weight[e]);
   }
   if (options.triangles == Triangles::fill) tree.expansion(options.max_dimension + 1);
 
