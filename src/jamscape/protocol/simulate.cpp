@@ -23,8 +23,10 @@ class Run {
 
   Outcome go(const Archive* from) {
     if (from) resume(*from);
-    const auto look =
-        std::max<std::int64_t>(1, static_cast<std::int64_t>(work_per_look / static_cast<double>(system_.grains.count)));
+    const std::int64_t look =
+        hooks_.look_every > 0
+            ? hooks_.look_every
+            : std::max<std::int64_t>(1, static_cast<std::int64_t>(work_per_look / static_cast<double>(system_.grains.count)));
     enter_stage();
     for (std::int64_t next_look = engine_.step() + look;;) {
       const bool frame_due =

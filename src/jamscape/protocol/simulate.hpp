@@ -48,6 +48,8 @@ struct Progress {
 
 /// Called from the simulating thread.
 struct Hooks {
+  /// Steps between two looks at stop, checkpoint_due and progress; 0: some tenths of a second's work.
+  std::int64_t look_every = 0;
   /// Every frame not taken before the checkpoint started from, in order; `index` counts from 0 over the whole plan.
   std::function<void(std::size_t index, const Packing&)> frame;
   /// Some times a second.

@@ -1,0 +1,124 @@
+// The same bits whatever the vector width, and after a stop and a restart.
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "jamscape/protocol/plan.hpp"
+#include "jamscape/protocol/simulate.hpp"
+#include "jamscape/protocol/start.hpp"
+#include "two_bodies.hpp"
+
+namespace jam {
+namespace {
+
+void mix(std::uint64_t& h, double a) {
+  h ^= std::bit_cast<std::uint64_t>(a);
+  h *= 0x100000001b3u;
+}
+
+std::uint64_t bits_of(const Packing& p) {
+  std::uint64_t h = 0xcbf29ce484222325u;
+  for (std::size_t k = 0; k < p.grains.size(); ++k)
+    for (int c = 0; c < 3; ++c) mix(h, p.grains.position[k][c]), mix(h, p.grains.velocity[k][c]), mix(h, p.grains.spin[k][c]);
+  for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+    mix(h, p.contacts.normal_force[k]);
+    for (int c = 0; c < 3; ++c) mix(h, p.contacts.tangential_force[k][c]);
+  }
+  for (const double e : {p.energy.kinetic, p.energy.elastic, p.energy.damped, p.energy.rubbed, p.energy.wall_work}) mix(h, e);
+  return h;
+}
+
+SystemOptions scene(int dimension, WallModel walls, double mu, Scheme scheme) {
+  SystemOptions s;
+  s.grains.count = dimension == 2 ? 196 : 216;
+  s.domain.dimension = dimension;
+  s.domain.walls = walls;
+  s.contact.friction = mu;
+  s.integrator.scheme = scheme;
+  s.start.packing_fraction = dimension == 2 ? 0.7 : 0.5;
+  s.stages = {{"squeeze", StageKind::compress, dimension == 2 ? 0.85 : 0.62, 1e-2, 6, {}}};
+  return s;
+}
+
+std::vector<SystemOptions> scenes_to_compare() {
+  return {scene(2, WallModel::beads, 0.5, Scheme::gear5), scene(2, WallModel::beads, 0.0, Scheme::verlet),
+          scene(2, WallModel::periodic, 0.5, Scheme::verlet), scene(2, WallModel::flat, 0.5, Scheme::verlet),
+          scene(3, WallModel::flat, 0.5, Scheme::verlet), scene(3, WallModel::periodic, 0.3, Scheme::gear5)};
+}
+
+template <int D>
+std::uint64_t run_with(const Kernels& kernels, const SystemOptions& s) {
+  Engine<D> engine(start<D>(s, {5, "bits", 0}), kernels);
+  for (std::size_t w = 0; w < engine.walls().size(); ++w) engine.set_wall_velocity(w, engine.walls()[w].high ? -1e-2 : 1e-2);
+  if (engine.walls().empty()) engine.set_box_speed(1e-2);
+  engine.run(timetable(s, {5, "bits", 0}).plan.steps);
+  engine.compute_forces();
+  const Packing p = engine.record();
+  EXPECT_GT(p.contacts.size(), p.grains.size());
+  return bits_of(p);
+}
+
+TEST(Determinism, every_vector_width_gives_the_bits_of_the_plain_kernel) {
+  for (const SystemOptions& s : scenes_to_compare()) {
+    if (s.domain.dimension == 2)
+      EXPECT_EQ(run_with<2>(plain_kernels(), s), run_with<2>(best_kernels(), s));
+    else
+      EXPECT_EQ(run_with<3>(plain_kernels(), s), run_with<3>(best_kernels(), s));
+  }
+}
+
+TEST(Determinism, a_stopped_and_resumed_run_gives_the_bits_of_one_never_stopped) {
+  for (const SystemOptions& s : scenes_to_compare()) {
+    const TaskKey key{5, "resume", 2};
+    std::vector<std::uint64_t> whole, pieces;
+    Hooks hooks;
+    hooks.frame = [&](std::size_t, const Packing& p) { whole.push_back(bits_of(p)); };
+    ASSERT_EQ(simulate(s, key, hooks), Outcome::finished);
+
+    Archive saved;
+    int stops = 0;
+    hooks.frame = [&](std::size_t index, const Packing& p) {
+      EXPECT_EQ(index, pieces.size());
+      pieces.push_back(bits_of(p));
+    };
+    hooks.look_every = 1777;
+    hooks.stop = [&] { return true; };  // at every look
+    hooks.checkpoint = [&](const Archive& a) { saved = a; };
+    Outcome outcome = simulate(s, key, hooks);
+    for (; outcome == Outcome::stopped; ++stops) outcome = simulate(s, key, hooks, &saved);
+    EXPECT_GE(stops, 2);
+    EXPECT_EQ(whole, pieces);
+    EXPECT_EQ(whole.size(), 6u);
+  }
+}
+
+TEST(Determinism, a_checkpoint_of_another_task_is_refused) {
+  const SystemOptions s = scenes_to_compare()[0];
+  Archive saved;
+  Hooks hooks;
+  hooks.look_every = 100;
+  hooks.stop = [] { return true; };
+  hooks.checkpoint = [&](const Archive& a) { saved = a; };
+  simulate(s, {5, "mine", 0}, hooks);
+  EXPECT_THROW(simulate(s, {5, "mine", 1}, {}, &saved), std::runtime_error);
+  EXPECT_THROW(simulate(s, {5, "other", 0}, {}, &saved), std::runtime_error);
+  saved.erase("engine/pair_i");
+  EXPECT_THROW(simulate(s, {5, "mine", 0}, {}, &saved), std::runtime_error);
+}
+
+TEST(Divergence, too_long_a_step_is_stopped_with_step_and_grain) {
+  SystemOptions s = scene(2, WallModel::beads, 0.5, Scheme::verlet);
+  s.contact.stiffness = 1e5;
+  s.integrator.step = 0.1;
+  try {
+    simulate(s, {1, "wild", 0}, {});
+    FAIL() << "nothing was noticed";
+  } catch (const Diverged& e) {
+    EXPECT_NE(std::string(e.what()).find("step "), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("grain "), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("time step is too long"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace jam
