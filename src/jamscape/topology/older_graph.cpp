@@ -53,13 +53,14 @@ std::uint32_t OlderGraph::linked(std::uint32_t x, std::uint32_t y) const {
 
 bool OlderGraph::common(Ends e, std::vector<CommonNeighbour>& found) const {
   found.clear();
-  const auto hashes = vertices_[e.a].hashes;
-  if (((hashes & vertices_[e.b].hashes) | (hashes & hash(e.b))) == 0) return true;
+  const auto both = vertices_[e.a].hashes & vertices_[e.b].hashes;
+  if ((both | (vertices_[e.a].hashes & hash(e.b))) == 0) return true;
   const bool swapped = around(e.a).size() > around(e.b).size();
   const auto few = around(swapped ? e.b : e.a), many = around(swapped ? e.a : e.b);
   const auto far = swapped ? e.a : e.b;
   for (const auto n : few) {
     if (n.vertex == far) return false;
+    if ((both & hash(n.vertex)) == 0) continue;
     auto other = kNone;
     if (many.size() > kHub) {
       other = linked_to_hub(far, n.vertex);

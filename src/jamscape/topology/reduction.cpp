@@ -11,9 +11,9 @@ void Reduction::add_boundary(const Cliques& columns, std::uint32_t column, const
   }
 }
 
-void Reduction::add_column(const Cliques& columns, std::uint32_t column, const std::vector<std::uint32_t>& rows) {
-  const auto at = std::lower_bound(reduced_.begin(), reduced_.end(), column);
-  if (at == reduced_.end() || *at != column) return add_boundary(columns, column, rows);
+void Reduction::add_column(const Cliques& columns, std::uint32_t partner, const std::vector<std::uint32_t>& rows) {
+  if ((partner & kAtOnce) != 0) return add_boundary(columns, partner & ~kAtOnce, rows);
+  const auto at = std::lower_bound(reduced_.begin(), reduced_.end(), partner);
   const auto i = static_cast<std::size_t>(at - reduced_.begin());
   for (auto k = begin_[i]; k < begin_[i + 1]; ++k) work_.toggle(entries_[k]);
 }
@@ -35,7 +35,7 @@ void Reduction::pair(Cliques& columns, std::vector<std::uint32_t>& rows) {
     while (!work_.empty()) {
       const auto row = work_.largest();
       if (rows[row] != kUnpaired) {
-        add_column(columns, rows[row] & ~kAtOnce, rows);
+        add_column(columns, rows[row], rows);
         continue;
       }
       rows[row] = c;

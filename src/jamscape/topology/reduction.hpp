@@ -22,7 +22,7 @@ class Reduction {
 
  private:
   void add_boundary(const Cliques& columns, std::uint32_t column, const std::vector<std::uint32_t>& rows);
-  void add_column(const Cliques& columns, std::uint32_t column, const std::vector<std::uint32_t>& rows);
+  void add_column(const Cliques& columns, std::uint32_t partner, const std::vector<std::uint32_t>& rows);
 
   BitColumn work_;
   std::vector<std::uint32_t> reduced_;  // columns whose reduced form is kept, increasing

@@ -52,13 +52,17 @@ inline std::vector<Point> gudhi_diagram(const WeightedGraph& graph, const Persis
     const bool essential = death == tree.null_simplex();
     points.emplace_back(dimension, -tree.filtration(birth), essential ? 0 : -tree.filtration(death), essential);
   }
-  std::sort(points.begin(), points.end());
   return points;
 }
 
 inline std::vector<Point> points(const Diagram& diagram) {
   std::vector<Point> points;
   for (const auto& p : diagram.pairs) points.emplace_back(p.dimension, p.birth, p.death, p.essential);
+  return points;
+}
+
+/// A multiset, for comparison.
+inline std::vector<Point> sorted(std::vector<Point> points) {
   std::sort(points.begin(), points.end());
   return points;
 }
