@@ -55,7 +55,8 @@ TEST(Start, no_grain_touches_anything_and_the_mean_mass_is_one) {
 TEST(Timetable, frames_lie_on_the_packing_fractions_asked_for) {
   SystemOptions s;
   s.grains.count = 100;
-  s.stages = {{"approach", StageKind::compress, 0.6, 1e-2, 0, {}}, {"compress", StageKind::compress, 0.7, 1e-2, 5, {0.62, 0.65}}};
+  s.stages = {{"approach", StageKind::compress, 0.6, 1e-2, 0, {}},
+              {"compress", StageKind::compress, 0.7, 1e-2, 5, {0.62, 0.65}}};
   const Timetable t = timetable(s, {1, "plan", 0});
   ASSERT_EQ(t.plan.frames.size(), 6u);  // .65 is asked for twice
   EXPECT_NEAR(t.plan.frames[0].packing_fraction, 0.6, 1e-12);

@@ -127,7 +127,8 @@ TEST(Oblique, spinning_impact) {
 }
 
 TEST(Friction, a_sticking_contact_springs_back) {
-  // Two discs pressed together by planes, displaced tangentially within the Coulomb limit: the tangential force is k_t xi.
+  // Two discs pressed together by planes, displaced tangentially within the Coulomb limit: the tangential force is k_t
+  // xi.
   const PairLaw<> law = s1_law(0.5, 0.5);
   double spring = 0;
   const Vec2 n{1, 0}, v{0, 0.01};

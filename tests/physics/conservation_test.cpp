@@ -57,7 +57,8 @@ TEST(Momentum, angular_momentum_with_the_lever_at_the_contact_point) {
   auto angular = [](const Packing& p) {
     double l = 0;
     for (std::size_t k = 0; k < 2; ++k)
-      l += p.grains.mass[k] * (p.grains.position[k][0] * p.grains.velocity[k][1] - p.grains.position[k][1] * p.grains.velocity[k][0]) +
+      l += p.grains.mass[k] *
+               (p.grains.position[k][0] * p.grains.velocity[k][1] - p.grains.position[k][1] * p.grains.velocity[k][0]) +
            0.125 * p.grains.spin[k][2];
     return l;
   };
@@ -80,7 +81,8 @@ double ledger_drift(Scheme scheme, double dt, double mu) {
   hooks.frame = [&](std::size_t, const Packing& p) { ledgers.push_back(p.energy); };
   simulate(s, {1, "ledger", 0}, hooks);
   double drift = 0;
-  for (const auto& e : ledgers) drift = std::max(drift, std::abs(scenes::ledger_sum(e) - scenes::ledger_sum(ledgers[0])));
+  for (const auto& e : ledgers)
+    drift = std::max(drift, std::abs(scenes::ledger_sum(e) - scenes::ledger_sum(ledgers[0])));
   const EnergyLedger& end = ledgers.back();
   return drift / (end.damped + end.rubbed + end.wall_work);
 }
@@ -106,6 +108,30 @@ TEST(Energy, an_undamped_frictionless_gas_keeps_its_energy) {
   engine.run(20000);
   engine.compute_forces();
   EXPECT_NEAR(scenes::ledger_sum(engine.record().energy) / before, 1.0, 1e-4);
+}
+
+TEST(Walls, closing_beads_shrink_with_the_box_and_the_ledger_still_closes) {
+  SystemOptions s;
+  s.grains.count = 100;
+  s.domain.bead_rows = BeadRows::closing;
+  s.integrator.step = 0.005;
+  s.stages = {{"squeeze", StageKind::compress, 0.86, 5e-3, 10, {}}};
+  std::vector<EnergyLedger> ledgers;
+  std::vector<double> spacing;
+  Hooks hooks;
+  hooks.frame = [&](std::size_t, const Packing& p) {
+    ledgers.push_back(p.energy);
+    for (const Wall& w : p.walls) {
+      const double length = p.domain.hi[0] - p.domain.lo[0];
+      spacing.push_back(norm(w.beads[1] - w.beads[0]) / length);
+    }
+  };
+  simulate(s, {1, "closing", 0}, hooks);
+  for (const double a : spacing) EXPECT_NEAR(a, spacing[0], 1e-9);
+  const EnergyLedger& end = ledgers.back();
+  for (const auto& e : ledgers)
+    EXPECT_NEAR(scenes::ledger_sum(e), scenes::ledger_sum(ledgers[0]),
+                0.01 * (end.damped + end.rubbed + end.wall_work));
 }
 
 TEST(Record, forces_on_walls_and_grains_balance) {

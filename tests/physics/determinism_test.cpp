@@ -19,12 +19,14 @@ void mix(std::uint64_t& h, double a) {
 std::uint64_t bits_of(const Packing& p) {
   std::uint64_t h = 0xcbf29ce484222325u;
   for (std::size_t k = 0; k < p.grains.size(); ++k)
-    for (int c = 0; c < 3; ++c) mix(h, p.grains.position[k][c]), mix(h, p.grains.velocity[k][c]), mix(h, p.grains.spin[k][c]);
+    for (int c = 0; c < 3; ++c)
+      mix(h, p.grains.position[k][c]), mix(h, p.grains.velocity[k][c]), mix(h, p.grains.spin[k][c]);
   for (std::size_t k = 0; k < p.contacts.size(); ++k) {
     mix(h, p.contacts.normal_force[k]);
     for (int c = 0; c < 3; ++c) mix(h, p.contacts.tangential_force[k][c]);
   }
-  for (const double e : {p.energy.kinetic, p.energy.elastic, p.energy.damped, p.energy.rubbed, p.energy.wall_work}) mix(h, e);
+  for (const double e : {p.energy.kinetic, p.energy.elastic, p.energy.damped, p.energy.rubbed, p.energy.wall_work})
+    mix(h, e);
   return h;
 }
 
@@ -41,15 +43,16 @@ SystemOptions scene(int dimension, WallModel walls, double mu, Scheme scheme) {
 }
 
 std::vector<SystemOptions> scenes_to_compare() {
-  return {scene(2, WallModel::beads, 0.5, Scheme::gear5), scene(2, WallModel::beads, 0.0, Scheme::verlet),
+  return {scene(2, WallModel::beads, 0.5, Scheme::gear5),     scene(2, WallModel::beads, 0.0, Scheme::verlet),
           scene(2, WallModel::periodic, 0.5, Scheme::verlet), scene(2, WallModel::flat, 0.5, Scheme::verlet),
-          scene(3, WallModel::flat, 0.5, Scheme::verlet), scene(3, WallModel::periodic, 0.3, Scheme::gear5)};
+          scene(3, WallModel::flat, 0.5, Scheme::verlet),     scene(3, WallModel::periodic, 0.3, Scheme::gear5)};
 }
 
 template <int D>
 std::uint64_t run_with(const Kernels& kernels, const SystemOptions& s) {
   Engine<D> engine(start<D>(s, {5, "bits", 0}), kernels);
-  for (std::size_t w = 0; w < engine.walls().size(); ++w) engine.set_wall_velocity(w, engine.walls()[w].high ? -1e-2 : 1e-2);
+  for (std::size_t w = 0; w < engine.walls().size(); ++w)
+    engine.set_wall_velocity(w, engine.walls()[w].high ? -1e-2 : 1e-2);
   if (engine.walls().empty()) engine.set_box_speed(1e-2);
   engine.run(timetable(s, {5, "bits", 0}).plan.steps);
   engine.compute_forces();

@@ -10,8 +10,9 @@ namespace jam {
 namespace {
 
 /// The skin weighs the cost of making lists against that of listed pairs that do not touch. Both are lowest together at
-/// sqrt(list_cost * closing), closing = how much nearer two bodies may come in a step, list_cost = the cost of a list over
-/// the cost of testing the pairs one more diameter of skin would list (measured: 30 to 50). Bounds in grain diameters.
+/// sqrt(list_cost * closing), closing = how much nearer two bodies may come in a step, list_cost = the cost of a list
+/// over the cost of testing the pairs one more diameter of skin would list (measured: 30 to 50). Bounds in grain
+/// diameters.
 constexpr double list_cost = 40, thinnest_skin = 0.01, widest_skin = 0.3;
 /// Grains are put back into spatial order at every so-manieth list.
 constexpr std::int64_t lists_per_order = 16;
@@ -102,9 +103,16 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
 
 template <int D>
 void Engine<D>::set_wall_velocity(std::size_t w, double velocity) {
-  walls_[w].velocity = velocity;
-  for (std::size_t b = 0; b < walls_[w].beads.size(); ++b)
-    bodies_.row(first_bead_[w] + b)[Row<D>::velocity + static_cast<std::size_t>(walls_[w].axis)] = velocity;
+  EngineWall<D>& wall = walls_[w];
+  wall.velocity = velocity;
+  const auto across = Row<D>::velocity + static_cast<std::size_t>(wall.axis);
+  for (std::size_t b = 0; b < wall.beads.size(); ++b) bodies_.row(first_bead_[w] + b)[across] = velocity;
+  if constexpr (D == 2) {
+    const double inward = wall.high ? -velocity : velocity;
+    for (std::size_t b = 0; b < wall.along.size(); ++b)
+      bodies_.row(first_bead_[w] + b)[Row<D>::velocity + 1 - static_cast<std::size_t>(wall.axis)] =
+          -2 * inward * wall.along[b];
+  }
 }
 
 template <int D>
@@ -234,6 +242,11 @@ void Engine<D>::collect_walls() {
     for (std::size_t b = first_bead_[w]; b < first_bead_[w] + walls_[w].beads.size(); ++b)
       for (int c = 0; c < D; ++c) force[c] += bodies_.forces[b * Row<D>::force_stride + static_cast<std::size_t>(c)];
     wall_work_ -= force[walls_[w].axis] * walls_[w].velocity * dt_;
+    if constexpr (D == 2) {
+      const auto along = 1 - static_cast<std::size_t>(walls_[w].axis);
+      for (std::size_t b = first_bead_[w]; b < first_bead_[w] + walls_[w].along.size(); ++b)
+        wall_work_ -= bodies_.forces[b * Row<D>::force_stride + along] * bodies_.row(b)[Row<D>::velocity + along] * dt_;
+    }
   }
 }
 

@@ -30,6 +30,9 @@ struct EngineWall {
   double velocity = 0;  ///< along the axis
   double bead_radius = 0;
   std::vector<Vec<D>> beads;  ///< at the start
+  /// Beads that close up with the box: their place along the row, -1/2 .. 1/2 from corner to corner. Empty: a rigid
+  /// row.
+  std::vector<double> along{};
 };
 
 /// What an engine is made of. Arrays by grain id.

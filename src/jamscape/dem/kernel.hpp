@@ -5,8 +5,8 @@
 //   forces
 //
 // Order of sums: the forces of pair k are added to body i, then to body j, for k = 0, 1, 2, ...; energies are summed in
-// eight slots: k mod 8, or in a sparse range the number of touching pairs before k, mod 8. Every implementation keeps that order and uses exact element-wise operations only, so all of
-// them give the same bits.
+// eight slots: k mod 8, or in a sparse range the number of touching pairs before k, mod 8. Every implementation keeps
+// that order and uses exact element-wise operations only, so all of them give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ struct alignas(64) Tally {
   double deepest[block];  ///< largest overlap
 };
 
-/// A run of pairs that share one law. `begin` and `end` are whole blocks. In a sparse range few pairs are expected to touch:
-/// wide kernels collect those that do before they compute forces.
+/// A run of pairs that share one law. `begin` and `end` are whole blocks. In a sparse range few pairs are expected to
+/// touch: wide kernels collect those that do before they compute forces.
 struct PairRange {
   std::size_t begin, end;
   bool sparse;

@@ -1,7 +1,7 @@
-// The contact loop for vectors of four or eight pairs. Rows of bodies are loaded whole and transposed in registers, forces
-// transposed back and added row by row: no gathers, no scatter conflicts, and the order of sums of the plain loop.
-// In a dense range a vector goes straight through. In a sparse one distances come first; the pairs that touch are collected,
-// in order, and go through eight at a time. Included by one file per vector width.
+// The contact loop for vectors of four or eight pairs. Rows of bodies are loaded whole and transposed in registers,
+// forces transposed back and added row by row: no gathers, no scatter conflicts, and the order of sums of the plain
+// loop. In a dense range a vector goes straight through. In a sparse one distances come first; the pairs that touch are
+// collected, in order, and go through eight at a time. Included by one file per vector width.
 #pragma once
 
 #include "jamscape/dem/integrate_body.hpp"
@@ -43,9 +43,44 @@ struct WideTally {
 
 template <int D>
 struct Geometry {
-  Vec<D, Lanes> d;           ///< from i to j
+  Vec<D, Lanes> d;  ///< from i to j
   Lanes radius_i, radius_j, reach, r2;
   Mask touching;
+};
+
+/// What the forces need to know of the geometry.
+template <int D>
+struct Touch {
+  Vec<D, Lanes> n;
+  Lanes x, r, radius_i, radius_j;
+  Mask touching;
+};
+
+template <int D>
+JAM_INLINE Touch<D> to_touch(const Geometry<D>& g) {
+  const Lanes r = square_root(g.r2);
+  return {(Lanes(1.0) / r) * g.d, g.reach - r, r, g.radius_i, g.radius_j, g.touching};
+}
+
+/// Touches on their way from the first pass over a chunk to the second.
+template <int D>
+struct alignas(64) Staged {
+  static constexpr std::size_t pairs = 16 * block;
+  double n[D][pairs], x[pairs], r[pairs], radius_i[pairs], radius_j[pairs];
+  std::uint8_t touching[pairs / width];
+
+  JAM_INLINE void put(std::size_t k, const Touch<D>& t) {
+    for (int e = 0; e < D; ++e) t.n[e].store(n[e] + k);
+    t.x.store(x + k), t.r.store(r + k), t.radius_i.store(radius_i + k), t.radius_j.store(radius_j + k);
+  }
+  JAM_INLINE Touch<D> get(std::size_t k) const {
+    Touch<D> t;
+    for (int e = 0; e < D; ++e) t.n[e] = Lanes::load(n[e] + k);
+    t.x = Lanes::load(x + k), t.r = Lanes::load(r + k);
+    t.radius_i = Lanes::load(radius_i + k), t.radius_j = Lanes::load(radius_j + k);
+    t.touching = lanes_of(touching[k / width]);
+    return t;
+  }
 };
 
 template <int D, bool shifted>
@@ -105,16 +140,17 @@ JAM_INLINE void add_forces(const PairArrays& p, const PairPointers& at, const Co
 
 /// Forces of the touching pairs of one vector, whose springs are advanced.
 template <int D, NormalLaw law, bool friction>
-JAM_INLINE void forces(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at, const Geometry<D>& g,
+JAM_INLINE void forces(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at, const Touch<D>& g,
                        WideTally& tally, std::size_t q) {
   using R = Row<D>;
   const Lanes zero(0.0);
   const Mask touching = g.touching;
-  const Columns va = load_rows(p.rows + R::velocity, at.i, R::stride), vb = load_rows(p.rows + R::velocity, at.j, R::stride);
+  const Columns va = load_rows(p.rows + R::velocity, at.i, R::stride),
+                vb = load_rows(p.rows + R::velocity, at.j, R::stride);
   Vec<D, Lanes> v;
   for (int e = 0; e < D; ++e) v[e] = va.c[e] - vb.c[e];
-  const Lanes r = square_root(g.r2), x = g.reach - r;
-  const Vec<D, Lanes> n = (Lanes(1.0) / r) * g.d;
+  const Lanes r = g.r, x = g.x;
+  const Vec<D, Lanes>& n = g.n;
   const Lanes lever_i = g.radius_i - c.lever_cut * x, lever_j = g.radius_j - c.lever_cut * x;
   Axial<D, Lanes> spring, lw;
   if constexpr (friction) {
@@ -122,7 +158,8 @@ JAM_INLINE void forces(const PairArrays& p, const PairLaw<Lanes>& c, const PairP
     if constexpr (D == 2) {
       lw = lever_i * va.c[2] + lever_j * vb.c[2];
     } else {
-      const Columns wa = load_rows(p.rows + R::spin, at.i, R::stride), wb = load_rows(p.rows + R::spin, at.j, R::stride);
+      const Columns wa = load_rows(p.rows + R::spin, at.i, R::stride),
+                    wb = load_rows(p.rows + R::spin, at.j, R::stride);
       for (int e = 0; e < 3; ++e) lw[e] = lever_i * wa.c[e] + lever_j * wb.c[e];
     }
   } else if constexpr (D == 2) {
@@ -196,16 +233,60 @@ void flush(const PairArrays& p, const PairLaw<Lanes>& c, Collected<D>& pending, 
     for (std::size_t e = 0; e < Collected<D>::components; ++e) pending.springs[e * block + k] = 0;
   }
   for (std::size_t q = 0; q < parts && q * width < count; ++q) {
-    const PairPointers at{pending.i + q * width, pending.j + q * width, pending.shift + q * width, pending.mbar + q * width,
-                          pending.springs + q * width};
-    Geometry<D> g = distances<D, shifted>(p, at);
+    const PairPointers at{pending.i + q * width, pending.j + q * width, pending.shift + q * width,
+                          pending.mbar + q * width, pending.springs + q * width};
+    Touch<D> g = to_touch(distances<D, shifted>(p, at));
     g.touching = first_lanes(static_cast<int>(count - q * width));
     forces<D, law, friction>(p, c, at, g, tally, q);
   }
   if constexpr (friction)
     for (std::size_t k = 0; k < count; ++k)
-      for (std::size_t e = 0; e < Collected<D>::components; ++e) pending.home[k][e * block] = pending.springs[e * block + k];
+      for (std::size_t e = 0; e < Collected<D>::components; ++e)
+        pending.home[k][e * block] = pending.springs[e * block + k];
   pending.count = 0;
+}
+
+template <int D, bool shifted>
+JAM_INLINE PairPointers pointers(const PairArrays& p, std::size_t k) {
+  return {p.i + k, p.j + k, shifted ? p.shift + k : nullptr, p.mbar + k,
+          p.springs + (D == 2 ? k : k / block * 3 * block + k % block)};
+}
+
+template <int D, NormalLaw law, bool friction, bool shifted>
+void dense_loop(const PairArrays& p, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
+  Staged<D> staged;
+  for (std::size_t first = range.begin; first < range.end; first += staged.pairs) {
+    const std::size_t count = range.end - first < staged.pairs ? range.end - first : staged.pairs;
+    for (std::size_t k = 0; k < count; k += width) {
+      const PairPointers at = pointers<D, shifted>(p, first + k);
+      const Geometry<D> g = distances<D, shifted>(p, at);
+      const std::uint32_t bits = lane_bits(g.touching);
+      staged.touching[k / width] = static_cast<std::uint8_t>(bits);
+      staged.put(k, to_touch(g));
+      if constexpr (friction)
+        if (bits != (1u << width) - 1) erase_parted<D>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
+    }
+    for (std::size_t k = 0; k < count; k += width)
+      if (staged.touching[k / width])
+        forces<D, law, friction>(p, c, pointers<D, shifted>(p, first + k), staged.get(k), tally, k / width % parts);
+  }
+}
+
+template <int D, NormalLaw law, bool friction, bool shifted>
+void sparse_loop(const PairArrays& p, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
+  Collected<D> pending;
+  for (std::size_t k = range.begin; k < range.end; k += width) {
+    const PairPointers at = pointers<D, shifted>(p, k);
+    const Geometry<D> g = distances<D, shifted>(p, at);
+    if constexpr (friction) erase_parted<D>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
+    if (none(g.touching)) continue;
+    for (std::uint32_t bits = lane_bits(g.touching); bits; bits &= bits - 1) {
+      const auto l = static_cast<std::size_t>(__builtin_ctz(bits));
+      pending.add(p, k + l, at.springs + l);
+      if (pending.count == block) flush<D, law, friction, shifted>(p, c, pending, tally);
+    }
+  }
+  if (pending.count) flush<D, law, friction, shifted>(p, c, pending, tally);
 }
 
 template <int D, NormalLaw law, bool friction, bool shifted>
@@ -213,26 +294,8 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
   const PairLaw<Lanes> c = range.law.template as<Lanes>();
   WideTally tally;
   tally.load(*p.tally);
-  Collected<D> pending;
-  for (std::size_t base = range.begin; base < range.end; base += block)
-    for (std::size_t q = 0; q < parts; ++q) {
-      const std::size_t k = base + q * width;
-      const PairPointers at{p.i + k, p.j + k, shifted ? p.shift + k : nullptr, p.mbar + k,
-                            p.springs + (D == 2 ? k : base * 3 + q * width)};
-      const Geometry<D> g = distances<D, shifted>(p, at);
-      if constexpr (friction) erase_parted<D>(c, g.touching, at.springs, tally.rubbed[q]);
-      if (none(g.touching)) continue;
-      if (!range.sparse) {
-        forces<D, law, friction>(p, c, at, g, tally, q);
-        continue;
-      }
-      for (std::uint32_t bits = lane_bits(g.touching); bits; bits &= bits - 1) {
-        const auto l = static_cast<std::size_t>(__builtin_ctz(bits));
-        pending.add(p, k + l, at.springs + l);
-        if (pending.count == block) flush<D, law, friction, shifted>(p, c, pending, tally);
-      }
-    }
-  if (pending.count) flush<D, law, friction, shifted>(p, c, pending, tally);
+  range.sparse ? sparse_loop<D, law, friction, shifted>(p, range, c, tally)
+               : dense_loop<D, law, friction, shifted>(p, range, c, tally);
   tally.store(*p.tally);
 }
 
@@ -244,7 +307,8 @@ void with_shift(const PairArrays& p, const PairRange& range) {
 template <int D>
 void pairs(const PairArrays& p, const PairRange& range) {
   if (range.kind == NormalLaw::linear)
-    range.friction ? with_shift<D, NormalLaw::linear, true>(p, range) : with_shift<D, NormalLaw::linear, false>(p, range);
+    range.friction ? with_shift<D, NormalLaw::linear, true>(p, range)
+                   : with_shift<D, NormalLaw::linear, false>(p, range);
   else
     range.friction ? with_shift<D, NormalLaw::hertz, true>(p, range) : with_shift<D, NormalLaw::hertz, false>(p, range);
 }

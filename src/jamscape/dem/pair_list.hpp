@@ -1,9 +1,9 @@
 // The list of pairs that may touch before it is made anew, with their tangential springs.
 //
-// Pairs stand in the order in which their forces are summed. Three kinds: grain-grain, grain-grain across a periodic face,
-// grain-bead; each kind has a run of pairs that touched when the list was made and a run of those that were near, padded
-// to whole blocks. Within a run, grains go by tiles of 64, and each tile takes one partner of every grain in turn:
-// neighbours in the list then do not wait for each other's force sums.
+// Pairs stand in the order in which their forces are summed. Three kinds: grain-grain, grain-grain across a periodic
+// face, grain-bead; each kind has a run of pairs that touched when the list was made and a run of those that were near,
+// padded to whole blocks. Within a run, grains go by tiles of 64, and each tile takes one partner of every grain in
+// turn: neighbours in the list then do not wait for each other's force sums.
 #pragma once
 
 #include <array>
@@ -31,10 +31,10 @@ struct PairList {
 
   /// run 2 k: pairs of kind k that touched, run 2 k + 1: the near ones; run r is start[r] .. start[r + 1]
   std::array<std::size_t, pair_runs + 1> start{};
-  Aligned<std::uint32_t> i, j;                      ///< i < j
-  Aligned<std::uint32_t> shift;                     ///< kind `across`: which periodic image of j, a row of shifts()
-  Aligned<double> mbar;                             ///< reduced mass
-  Aligned<double> springs;                          ///< 2D: by pair; 3D: in blocks of 8 x, 8 y, 8 z
+  Aligned<std::uint32_t> i, j;   ///< i < j
+  Aligned<std::uint32_t> shift;  ///< kind `across`: which periodic image of j, a row of shifts()
+  Aligned<double> mbar;          ///< reduced mass
+  Aligned<double> springs;       ///< 2D: by pair; 3D: in blocks of 8 x, 8 y, 8 z
 
   std::size_t size() const { return i.size(); }
   double* spring(std::size_t k) { return springs.data() + (D == 2 ? k : k / block * 3 * block + k % block); }

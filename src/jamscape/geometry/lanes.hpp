@@ -19,6 +19,11 @@ struct Mask {
 JAM_INLINE bool none(Mask a) { return hn::AllFalse(Tag(), a.m); }
 /// The lanes below n.
 JAM_INLINE Mask first_lanes(int n) { return {hn::FirstN(Tag(), static_cast<std::size_t>(n))}; }
+/// The lanes whose bits are set: the inverse of lane_bits.
+JAM_INLINE Mask lanes_of(std::uint8_t bits) {
+  const std::uint8_t padded[8] = {bits};
+  return {hn::LoadMaskBits(Tag(), padded)};
+}
 /// Bit l is lane l.
 JAM_INLINE std::uint32_t lane_bits(Mask a) {
   std::uint8_t bits[8] = {};

@@ -73,10 +73,20 @@ struct EnumNames<AreaConvention> {
                                                                            {AreaConvention::actual, "actual"}};
 };
 
+/// Whether a row of beads keeps its spacing while the box shrinks, its ends sticking out beyond the corners, or its
+/// beads close up with the box.
+enum class BeadRows { rigid, closing };
+template <>
+struct EnumNames<BeadRows> {
+  static constexpr std::pair<BeadRows, std::string_view> values[] = {{BeadRows::rigid, "rigid"},
+                                                                     {BeadRows::closing, "closing"}};
+};
+
 struct DomainOptions {
   std::int64_t dimension = 2;
   WallModel walls = WallModel::beads;
   double bead_phase = 0;
+  BeadRows bead_rows = BeadRows::rigid;
   BoxConvention box = BoxConvention::half_beads;
   AreaConvention area = AreaConvention::nominal;
 
@@ -87,6 +97,7 @@ struct DomainOptions {
              {.text = "what confines the grains: rows of touching beads, flat walls, or a periodic box"});
     v.option("bead_phase", bead_phase,
              {.text = "shift of the rows of beads along themselves", .unit = "d", .min = 0, .max = 1});
+    v.option("bead_rows", bead_rows, {.text = "rows of beads keep their spacing, or close up with the box"});
     v.option("box", box, {.text = "where a box of bead walls ends, for the packing fraction", .source = "PHYSICS 6a"});
     v.option("area", area,
              {.text = "grain area in the packing fraction: N pi d^2/4, or the true sum", .source = "PHYSICS 6a"});

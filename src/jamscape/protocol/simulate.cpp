@@ -26,7 +26,8 @@ class Run {
     const std::int64_t look =
         hooks_.look_every > 0
             ? hooks_.look_every
-            : std::max<std::int64_t>(1, static_cast<std::int64_t>(work_per_look / static_cast<double>(system_.grains.count)));
+            : std::max<std::int64_t>(
+                  1, static_cast<std::int64_t>(work_per_look / static_cast<double>(system_.grains.count)));
     enter_stage();
     for (std::int64_t next_look = engine_.step() + look;;) {
       const bool frame_due =

@@ -18,7 +18,7 @@ double small_diameter(const GrainOptions& o) { return 1 / (o.small_fraction + (1
 double ball(int dimension) { return dimension == 2 ? std::numbers::pi / 4 : std::numbers::pi / 6; }
 
 /// Rows of touching beads along both ends of both axes, long enough to close the corners of the box at its widest.
-std::vector<EngineWall<2>> bead_walls(double length, double phase) {
+std::vector<EngineWall<2>> bead_walls(double length, const DomainOptions& domain) {
   std::vector<EngineWall<2>> walls;
   for (int axis = 0; axis < 2; ++axis)
     for (const bool high : {false, true}) {
@@ -28,11 +28,12 @@ std::vector<EngineWall<2>> bead_walls(double length, double phase) {
       wall.high = high;
       wall.position = high ? length : 0.0;
       wall.bead_radius = bead_radius;
-      for (double at = phase - 2; at < length + 2; at += 1) {
+      for (double at = domain.bead_phase - 2; at < length + 2; at += 1) {
         Vec2 bead;
         bead[axis] = wall.position;
         bead[1 - axis] = at;
         wall.beads.push_back(bead);
+        if (domain.bead_rows == BeadRows::closing) wall.along.push_back(at / length - 0.5);
       }
       walls.push_back(wall);
     }
@@ -121,8 +122,8 @@ EngineSetup<D> start(const SystemOptions& system, const TaskKey& key) {
   if (system.domain.walls == WallModel::periodic)
     setup.box.length.fill(box.length);
   else if constexpr (D == 2)
-    setup.walls = system.domain.walls == WallModel::beads ? bead_walls(box.length, system.domain.bead_phase)
-                                                          : planes<D>(box.length);
+    setup.walls =
+        system.domain.walls == WallModel::beads ? bead_walls(box.length, system.domain) : planes<D>(box.length);
   else
     setup.walls = planes<D>(box.length);
 
