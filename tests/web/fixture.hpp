@@ -10,7 +10,7 @@ namespace jam {
 struct FixtureParts {
   bool ensemble = true;     ///< ensemble/*.csv
   bool tasks = true;        ///< stored frames and diagrams
-  bool transitions = true;  ///< ensemble/transitions.csv and tables/score.csv
+  bool transitions = true;  ///< ensemble/transitions.csv
   std::string title = "Synthetic results";
 };
 

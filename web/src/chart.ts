@@ -11,6 +11,10 @@ export interface Line {
   colour: string;
   dash?: number[];
   width?: number;
+  /** opacity of the error band */
+  band?: number;
+  /** false: no dots even where the points are few */
+  points?: boolean;
   /** index of the system this line belongs to, when the legend may hide it */
   system?: number;
   x: number[];
@@ -57,8 +61,11 @@ export interface Chart {
 const SERIES_PER_LINE = 3; // mean, lower, upper
 const meanIndex = (line: number) => 1 + SERIES_PER_LINE * line;
 
-/** All lines on the union of their abscissae; null where a line has no point. */
-function joined(lines: Line[], log: boolean): uPlot.AlignedData {
+/**
+ * All lines on the union of their abscissae; null where a line has no point. On a logarithmic axis with a fixed range a
+ * zero becomes `floor`, far below the axis, so that the curve leaves the panel; without one it is left out.
+ */
+function joined(lines: Line[], log: boolean, floor: number): uPlot.AlignedData {
   const xs = [...new Set(lines.flatMap((line) => line.x))].sort((a, b) => a - b);
   const place = new Map(xs.map((x, k) => [x, k]));
   const columns: (number | null)[][] = [];
@@ -67,8 +74,9 @@ function joined(lines: Line[], log: boolean): uPlot.AlignedData {
     const lower = [...mean];
     const upper = [...mean];
     line.x.forEach((x, k) => {
-      const value = line.y[k];
-      if (value === null || (log && value <= 0)) return;
+      const known = line.y[k];
+      if (known === null || (log && known <= 0 && floor === 0)) return;
+      const value = log ? Math.max(known, floor) : known;
       const at = place.get(x)!;
       const se = line.se?.[k] ?? 0;
       mean[at] = value;
@@ -85,7 +93,7 @@ function seriesOf(lines: Line[]): { series: uPlot.Series[]; bands: uPlot.Band[] 
   const bands: uPlot.Band[] = [];
   lines.forEach((line, k) => {
     const edge: uPlot.Series = { stroke: "transparent", width: 0, spanGaps: true, points: { show: false } };
-    const sparse = line.x.length < 30;
+    const sparse = line.points !== false && line.x.length < 30;
     series.push(
       {
         stroke: line.colour,
@@ -97,7 +105,7 @@ function seriesOf(lines: Line[]): { series: uPlot.Series[]; bands: uPlot.Band[] 
       { ...edge },
       { ...edge },
     );
-    bands.push({ series: [meanIndex(k) + 2, meanIndex(k) + 1], fill: faded(line.colour, 0.2) });
+    bands.push({ series: [meanIndex(k) + 2, meanIndex(k) + 1], fill: faded(line.colour, line.band ?? 0.2) });
   });
   return { series, bands };
 }
@@ -271,6 +279,7 @@ export function chart(options: ChartOptions): Chart {
   );
   const isShown = (line: Line) => line.system === undefined || !options.shown || options.shown(line.system);
   const height = options.height ?? 240;
+  const floor = options.log && options.yRange ? options.yRange[0] / 1e3 : 0;
   const { series, bands } = seriesOf(lines);
   let u: uPlot | null = null;
 
@@ -310,7 +319,7 @@ export function chart(options: ChartOptions): Chart {
         },
         plugins: [decoration(options), tooltip(options, () => lines)],
       },
-      joined(lines, options.log ?? false),
+      joined(lines, options.log ?? false, floor),
       plot,
     );
     u.root.style.color = INK;
@@ -327,7 +336,7 @@ export function chart(options: ChartOptions): Chart {
     refresh,
     replace(next) {
       lines = next;
-      u?.setData(joined(next, options.log ?? false));
+      u?.setData(joined(next, options.log ?? false, floor));
     },
   };
 }

@@ -38,19 +38,38 @@ export interface Distribution {
   systems: { frames: { rho: number; x: number[]; quantities: Record<string, Estimate> }[] }[];
 }
 
+/** block "columns": what a column of ensemble/frames.csv means */
+export type Columns = Record<string, { text: string; unit: string; formula: string; source: string }>;
+
 export interface Transitions {
   rows: { system: number; quantity: string; n: number; value: number; se: number | null }[];
 }
 
-/** block "score": the table as it stands, text only */
+export type Verdict = "pass" | "fail" | "known deviation" | "insufficient";
+
+/** block "score": published values and orders beside ours */
 export interface Score {
-  columns: string[];
-  rows: string[][];
+  rows: {
+    target: string;
+    source: string;
+    systems: string;
+    published: string;
+    ours: number | null;
+    error: number | null;
+    n: number;
+    needed: number;
+    verdict: Verdict;
+    note: string;
+  }[];
+  /** published rho_c */
+  published: { system: number; value: number }[];
 }
 
 /** One packing: nodes are grains, then beads of walls, then foot points of walls and ghosts of periodic neighbours. */
 export interface NetworkFrame {
   rho: number;
+  /** only there because it is the first above the rho_c of its system */
+  own?: boolean;
   realisation: number;
   /** x and y of the lower and upper corner of the picture */
   extent: [number, number, number, number];
@@ -77,6 +96,7 @@ export interface Networks {
 
 export interface DiagramFrame {
   rho: number;
+  own?: boolean;
   realisation: number;
   /** per dimension: uint16 birth, death per pair over value_max; one byte per pair: 1 = never dies */
   dimensions: { pairs: number; values: string; essential: string }[];
@@ -95,6 +115,7 @@ export function block<T>(id: string): T | null {
 export interface Data {
   study: Study;
   frames: Frames | null;
+  columns: Columns | null;
   transitions: Transitions | null;
   score: Score | null;
   networks: Networks | null;
@@ -108,6 +129,7 @@ export function load(): Data {
   return {
     study,
     frames: block("frames"),
+    columns: block("columns"),
     transitions: block("transitions"),
     score: block("score"),
     networks: block("networks"),

@@ -21,6 +21,11 @@ export function markup(html: string, tag: "span" | "p" | "div" = "span", classNa
   return element;
 }
 
+/** A symbol with an upper and a lower index, one above the other. */
+export function indexed(symbol: string, upper: string, lower: string): string {
+  return `<i>${symbol}</i><span class="indices"><span>${upper}</span><span>${lower}</span></span>`;
+}
+
 export function escape(text: string): string {
   return text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 }

@@ -52,8 +52,8 @@ export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size
     ctx.stroke();
   };
   discs(frame.grains, frame.grains + frame.beads, "#c3cad6", "#a9b2c0", () => true);
-  discs(0, frame.grains, "#fbfcfd", "#e1e6ec", (node) => touched[node] < 2);
-  discs(0, frame.grains, "#eef1f6", "#d2d9e3", (node) => touched[node] >= 2);
+  discs(0, frame.grains, "#fbfcfd", "#d9dfe7", (node) => touched[node] < 2);
+  discs(0, frame.grains, "#eceff4", "#c8d0db", (node) => touched[node] >= 2);
 
   // Weak contacts first, so that strong ones lie on top; one path per class of force keeps it fast.
   const classes: number[][] = Array.from({ length: COLOURS }, () => []);

@@ -17,11 +17,14 @@ Json study_block(const Results& results);
 /// ensemble/transitions.csv
 Json transitions_block(const Results& results);
 
-/// tables/score.csv as text
+/// Published values beside ours, when the study names targets that come with the program.
 Json score_block(const Results& results);
 
 /// Every quantity of ensemble/frames.csv over packing fraction.
 Json frames_block(const Results& results);
+
+/// What the columns of the table of frames mean, from the registry of measures.
+Json columns_block();
 
 /// Which frames of a measure with several rows a frame are shown.
 enum class FrameChoice { last, even };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "jamscape/observe/measure.hpp"
 #include "jamscape/report/blocks.hpp"
 #include "jamscape/report/ensemble.hpp"
 #include "jamscape/report/frame_choice.hpp"
@@ -53,6 +54,17 @@ Json frames_block(const Results& results) {
     systems.push_back({{"rho", rounded(rho, 6)}, {"quantities", std::move(quantities)}});
   }
   return any ? Json{{"systems", std::move(systems)}} : Json();
+}
+
+Json columns_block() {
+  Json columns = Json::object();
+  for (const Measure& measure : measures()) {
+    if (measure.rows != Rows::frame) continue;
+    for (const ColumnInfo& column : measure.columns)
+      columns[column.name] = {
+          {"text", column.text}, {"unit", column.unit}, {"formula", measure.formula}, {"source", measure.source}};
+  }
+  return columns;
 }
 
 std::vector<ManyChoice> many_choices() {

@@ -93,6 +93,7 @@ Json per_system(const std::vector<PictureSource>& sources, const Frames& frames_
 
 Json labelled(const PictureSource& source, const PictureFrame& frame, Json data) {
   data["rho"] = rounded(frame.rho, 6);
+  if (frame.own) data["own"] = true;
   data["realisation"] = source.task.realisation;
   return data;
 }
@@ -117,9 +118,23 @@ Json diagrams_block(const std::vector<PictureSource>& sources) {
     const std::filesystem::path file = source.folder.tables() / "diagram.csv";
     if (!std::filesystem::exists(file)) return frames;
     const auto by_frame = diagrams_by_frame(read_csv(file));
+    std::map<std::size_t, PictureFrame> shown;  // by index in run.h5
+    const auto take = [&](const PictureFrame& frame) {
+      if (!by_frame.contains(static_cast<std::int64_t>(frame.stored))) return false;
+      shown.insert({frame.stored, frame});
+      return true;
+    };
     for (const PictureFrame& frame : source.frames)
-      if (const auto found = by_frame.find(static_cast<std::int64_t>(frame.stored)); found != by_frame.end())
-        frames.push_back(labelled(source, frame, diagram_json(found->second)));
+      if (!frame.own) take(frame);
+    // Not every frame has a diagram: the next one that has stands in for the frame above rho_c.
+    for (const PictureFrame& frame : source.frames)
+      for (const PictureFrame& later : source.all)
+        if (frame.own && later.rho >= frame.rho && take({later.rho, later.stored, true})) break;
+    std::vector<PictureFrame> ordered;
+    for (const auto& [stored, frame] : shown) ordered.push_back(frame);
+    std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.rho < b.rho; });
+    for (const PictureFrame& frame : ordered)
+      frames.push_back(labelled(source, frame, diagram_json(by_frame.at(static_cast<std::int64_t>(frame.stored)))));
     return frames;
   });
 }

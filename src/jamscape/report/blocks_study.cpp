@@ -85,22 +85,4 @@ Json transitions_block(const Results& results) {
   return rows.empty() ? Json() : Json{{"rows", std::move(rows)}};
 }
 
-Json score_block(const Results& results) {
-  const auto table = results.table("tables/score.csv");
-  if (!table || table->rows() == 0) return nullptr;
-  Json columns = Json::array();
-  std::vector<std::vector<std::string>> texts;
-  for (const Column& column : table->columns) {
-    columns.push_back(column.name);
-    texts.push_back(text_column(*table, column.name));
-  }
-  Json rows = Json::array();
-  for (std::size_t k = 0; k < table->rows(); ++k) {
-    Json row = Json::array();
-    for (const std::vector<std::string>& text : texts) row.push_back(text[k]);
-    rows.push_back(std::move(row));
-  }
-  return {{"columns", std::move(columns)}, {"rows", std::move(rows)}};
-}
-
 }  // namespace jam

@@ -17,6 +17,7 @@ void write_report(const std::filesystem::path& results_dir) {
   add("transitions", transitions_block(results));
   add("score", score_block(results));
   add("frames", frames_block(results));
+  add("columns", columns_block());
   for (const ManyChoice& choice : many_choices()) add("many-" + choice.measure, many_block(results, choice));
   const std::vector<PictureSource> pictures = choose_pictures(results);
   add("networks", networks_block(pictures));

@@ -9,6 +9,7 @@
 #include "jamscape/base/files.hpp"
 #include "jamscape/report/blocks.hpp"
 #include "jamscape/report/report.hpp"
+#include "jamscape/study/measure_task.hpp"
 
 namespace jam {
 namespace {
@@ -33,7 +34,7 @@ TEST_F(ReportBlocks, StudyNamesWhatDiffers) {
   EXPECT_EQ(study["systems"][2]["swept"], Json({{"grains.width", 0.4}, {"contact.friction", 0.5}}));
   EXPECT_EQ(study["systems"][0]["realisations"], 3);
   EXPECT_EQ(study["systems"][0]["options"]["grains.count"], 400);
-  EXPECT_EQ(study["systems"][0]["options"]["speed"], 0.001);
+  EXPECT_EQ(study["systems"][0]["options"]["speed"], 2.5e-5);
 }
 
 TEST_F(ReportBlocks, FramesAreOrderedByPackingFraction) {
@@ -61,7 +62,8 @@ TEST_F(ReportBlocks, PicturesComeFromStoredFrames) {
   const auto sources = choose_pictures(open_results(folder()));
   const Json networks = networks_block(sources);
   ASSERT_EQ(networks["systems"].size(), 3u);
-  EXPECT_EQ(networks["systems"][0].size(), 10u);
+  // ten multiples of .02, and the frame above rho_c = .861
+  EXPECT_EQ(networks["systems"][0].size(), 11u);
   const Json& last = networks["systems"][0].back();
   EXPECT_EQ(last["rho"], 0.9);
   EXPECT_EQ(last["grains"], 400);
@@ -75,8 +77,11 @@ TEST_F(ReportBlocks, ThePicturesAskedForAreTaken) {
   Results results = open_results(folder());
   results.study.report.pictures = {0.81, 0.9};
   const auto sources = choose_pictures(results);
-  ASSERT_EQ(sources[0].frames.size(), 2u);
+  ASSERT_EQ(sources[0].frames.size(), 3u);
   EXPECT_NEAR(sources[0].frames[0].rho, 0.81, 1e-9);
+  EXPECT_FALSE(sources[0].frames[0].own);
+  EXPECT_NEAR(sources[0].frames[1].rho, 0.87, 1e-9);  // the first above rho_c = .861
+  EXPECT_TRUE(sources[0].frames[1].own);
 }
 
 TEST_F(ReportBlocks, WhatIsMissingIsNull) {
@@ -89,6 +94,22 @@ TEST_F(ReportBlocks, WhatIsMissingIsNull) {
   EXPECT_TRUE(many_block(results, many_choices()[0]).is_null());
   EXPECT_TRUE(networks_block(choose_pictures(results)).is_null());
   EXPECT_FALSE(study_block(results).is_null());
+}
+
+TEST_F(ReportBlocks, PublishedValuesStandBesideOurs) {
+  const fs::path scored = folder() / "scored";
+  write_fixture(scored);
+  Results results = open_results(scored);
+  EXPECT_TRUE(score_block(results).is_null());  // a study that names no targets
+  results.study.info.targets = "kramar2013";
+  for (const PictureSource& source : choose_pictures(results))
+    measure_task(source.folder, chosen_measures(results.study), results.study.measure);
+  const Json score = score_block(results);
+  EXPECT_EQ(score["published"], (Json{{{"system", 0}, {"value", 0.8615}},
+                                      {{"system", 1}, {"value", 0.814}},
+                                      {{"system", 2}, {"value", 0.7884}}}));
+  ASSERT_FALSE(score["rows"].empty());
+  for (const Json& row : score["rows"]) EXPECT_EQ(row["verdict"], "insufficient") << row;  // one run each
 }
 
 TEST_F(ReportBlocks, TheSameResultsGiveTheSamePage) {

@@ -18,17 +18,20 @@ export const explorer: Section = {
     select.setAttribute("aria-label", "quantity");
     select.value = usable.includes("contacts") ? "contacts" : usable[0];
     const place = h("div");
+    const meaning = h("p", "note");
     const show = () => {
       const element = context.overRho(select.value, `<code>${select.value}</code>`, { height: 300 });
       place.replaceChildren(...(element ? [element] : []));
+      const column = context.data.columns?.[select.value];
+      const unit = column?.unit ? ` in ${column.unit}` : "";
+      meaning.textContent = column ? `${column.text}${unit}. ${column.formula} ${column.source}.` : "";
     };
     select.addEventListener("change", show);
     show();
     return [
-      figure("", [h("div", "slider", select), place], {
+      figure("", [h("div", "slider", select), meaning, place], {
         text:
-          "Every column of <code>ensemble/frames.csv</code>: mean over realisations, band ± one standard error. What a column " +
-          "means, with its formula and unit: <code>jamscape explain COLUMN</code>.",
+          "Every column of <code>ensemble/frames.csv</code>: mean over realisations, band ± one standard error.",
       }),
     ];
   },

@@ -1,6 +1,6 @@
 // The eight functions N_i^*(rho): how many points of the persistence diagrams lie in each bin.
 import type { Section } from "../context";
-import { figure, h } from "../dom";
+import { figure, h, indexed } from "../dom";
 
 const BINS = ["rough", "strong", "medium", "weak"];
 
@@ -12,7 +12,7 @@ export const generators: Section = {
       BINS.map((bin) =>
         context.overRho(
           `b${dimension}_${bin}`,
-          `<i>N</i><sub>${dimension}</sub><sup>${bin[0].toUpperCase()}</sup> <span class="what">${bin} ${dimension ? "loops" : "components"}</span>`,
+          `${indexed("N", bin[0].toUpperCase(), String(dimension))} <span class="what">${bin} ${dimension ? "loops" : "components"}</span>`,
           { zero: true, height: 200 },
         ),
       );
@@ -27,7 +27,7 @@ export const generators: Section = {
           "Number of components (upper row) and loops (lower row) of the force network in each bin of the persistence " +
           "diagram, per packing: mean over realisations, band ± one standard error. Triangles on the axis mark each " +
           "system's <i>ρ</i><sub>c</sub>. Drag across a panel to zoom all of them, double-click to return.",
-        formula: "<i>N</i><sub><i>i</i></sub><sup>*</sup>(<i>ρ</i>) = number of <i>β<sub>i</sub></i> points in bin *",
+        formula: `${indexed("N", "*", "<i>i</i>")}(<i>ρ</i>) = number of <i>β<sub>i</sub></i> points in bin *`,
         source: "S1 Sec. III.A, Figs. 5 and 6.",
       }),
     ];

@@ -48,8 +48,9 @@ function chooser(context: Context, rhos: number[]): HTMLElement {
   return h("div", "chooser", markup("<i>ρ</i> =", "span", "chooser-label"), ...buttons, ...(rhos.length > 2 ? [play] : []));
 }
 
-function rhosOf(systems: { rho: number }[][]): number[] {
-  return [...new Set(systems.flat().map((f) => f.rho))].sort((a, b) => a - b);
+function rhosOf(systems: { rho: number; own?: boolean }[][]): number[] {
+  const common = systems.flat().filter((f) => !f.own);
+  return [...new Set(common.map((f) => f.rho))].sort((a, b) => a - b);
 }
 
 /** A canvas that is drawn again at its new size, and anew when the choice changes. */

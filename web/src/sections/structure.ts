@@ -53,7 +53,7 @@ export const order: Section = {
     const panels = ORDER.map(([column, title]) => context.overRho(column, title, { height: 250 })).filter((p) => p !== null);
     if (panels.length)
       out.push(
-        figure("", [h("div", "grid three", ...panels)], {
+        figure("", [h("div", "grid fit", ...panels)], {
           text:
             "Sixfold order of the bonds between touching grains: 1 in a perfect hexagonal crystal. S1 averages over the gaps " +
             "between consecutive bonds; the local form takes each grain by itself, the global one asks whether all grains " +

@@ -1,7 +1,8 @@
 // What was simulated, and where each system jams.
 import type { Context, Section } from "../context";
-import { escape, table } from "../dom";
-import { compact, withError } from "../numbers";
+import type { Score, Verdict } from "../data";
+import { escape, h, table } from "../dom";
+import { compact, plain, withError } from "../numbers";
 import { optionSymbol, optionValue } from "../symbols";
 import { systemColour } from "../theme";
 
@@ -52,7 +53,7 @@ export const transitions: Section = {
     const out: HTMLElement[] = [];
     const rows = transitions?.rows ?? [];
     const quantities = [...new Set(rows.map((r) => r.quantity))];
-    const published = publishedRhoC(context);
+    const published = new Map(score?.published.map((p) => [p.system, plain(p.value)]));
     if (rows.length) {
       const found = (system: number, quantity: string) =>
         rows.find((r) => r.system === system && r.quantity === quantity);
@@ -81,20 +82,36 @@ export const transitions: Section = {
         ),
       );
     }
-    if (score?.rows.length) {
-      out.push(
-        note("<b>Comparison with published values</b>, row by row:"),
-        table("score", score.columns.map((c) => escape(c.replace(/_/g, " "))), score.rows.map((row) => row.map(cell))),
-      );
-    }
+    if (score?.rows.length) out.push(scoreTable(score));
     return out.length ? out : null;
   },
 };
 
-function cell(text: string): string {
-  const verdicts = ["pass", "fail", "known deviation", "known_deviation", "insufficient"];
-  const clean = escape(text);
-  return verdicts.includes(text) ? `<span class="verdict ${text.split(/[ _]/)[0]}">${clean.replace("_", " ")}</span>` : clean;
+const VERDICTS: Verdict[] = ["pass", "fail", "known deviation", "insufficient"];
+
+function badge(verdict: Verdict, text: string = verdict): string {
+  return `<span class="verdict ${verdict.split(" ")[0]}">${text}</span>`;
+}
+
+/** Folded away behind its sum, because it is long. */
+function scoreTable(score: Score): HTMLElement {
+  const rows = score.rows.map((row) => [
+    badge(row.verdict),
+    escape(row.target),
+    escape(row.systems.replace(">", " > ")),
+    escape(row.published).replace("+-", "±"),
+    row.ours === null ? "–" : withError(row.ours, row.error),
+    `${row.n} of ${row.needed}`,
+    escape(row.source),
+    escape(row.note),
+  ]);
+  const head = ["verdict", "target", "systems", "published", "ours", "runs", "source", "note"];
+  const counts = VERDICTS.map((v) => [v, score.rows.filter((r) => r.verdict === v).length] as const)
+    .filter(([, count]) => count > 0)
+    .map(([verdict, count]) => badge(verdict, `${count} ${verdict === "insufficient" ? "with too few runs" : verdict}`));
+  const summary = h("summary");
+  summary.innerHTML = `<b>Published values and orders, row by row</b> ${counts.join(" ")}`;
+  return h("details", "score", summary, table("score", head, rows));
 }
 
 function note(html: string): HTMLElement {
@@ -102,19 +119,4 @@ function note(html: string): HTMLElement {
   element.className = "note";
   element.innerHTML = html;
   return element;
-}
-
-/** Published rho_c per system, where the score table has it. */
-function publishedRhoC(context: Context): Map<number, string> {
-  const out = new Map<number, string>();
-  const { score, study } = context.data;
-  if (!score) return out;
-  const column = (name: string) => score.columns.indexOf(name);
-  const [system, quantity, published] = [column("system"), column("quantity"), column("published")];
-  if (system < 0 || quantity < 0 || published < 0) return out;
-  for (const row of score.rows) {
-    const index = study.systems.findIndex((s) => s.name === row[system]);
-    if (row[quantity] === "rho_c" && index >= 0) out.set(index, escape(row[published]));
-  }
-  return out;
 }
