@@ -71,15 +71,15 @@ void write_archive(const std::filesystem::path& path, const Archive& archive) {
       auto [group, last] = place_of(file, name);
       std::visit([&group = group, &last = last](const auto& v) { write_value(group, last, v); }, value);
     }
-    image = file.image();
+    image = file.close_image();
   }
   write_text(path, seal(std::move(image)));
 }
 
 Archive read_archive(const std::filesystem::path& path) {
-  const std::string image = unseal(read_text(path), path.string());
+  std::string image = unseal(read_text(path), path.string());
   const hdf5::Lock lock;
-  const hdf5::File file = hdf5::File::open_image(image, path.string());
+  const hdf5::File file = hdf5::File::open_image(std::move(image), path.string());
   const hdf5::Group root = file.root();
   if (!root.has_attribute("archive_layout") ||
       root.read_attribute<std::int32_t>("archive_layout") != std::vector<std::int32_t>{archive_layout})

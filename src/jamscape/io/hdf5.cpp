@@ -1,11 +1,9 @@
 #include "jamscape/io/hdf5.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <numeric>
+#include <cstring>
 
 #include "jamscape/base/error.hpp"
 
@@ -52,17 +50,10 @@ Handle property_list(hid_t kind) {
   return list;
 }
 
-/// The core driver takes two files of one name for the same file.
-std::string image_name(const std::string& name) {
-  static std::uint64_t count = 0;  // guarded by the library lock
-  return fmt::format("{}#{}", name, ++count);
-}
-
-/// From V110 on every piece of metadata carries a checksum, so that damage is noticed rather than read; but such files
-/// cannot be taken from memory while they are open (see File::image), so those use V18.
-Handle file_access(H5F_libver_t oldest = H5F_LIBVER_V110) {
+/// The oldest format in which every piece of metadata carries a checksum, so that damage is noticed rather than read.
+Handle file_access() {
   Handle list = property_list(H5P_FILE_ACCESS);
-  H5Pset_libver_bounds(list.id(), oldest, H5F_LIBVER_LATEST);
+  H5Pset_libver_bounds(list.id(), H5F_LIBVER_V110, H5F_LIBVER_LATEST);
   H5Pset_file_locking(list.id(), false, true);  // locks fail on some network file systems and guard nothing here
   return list;
 }
@@ -103,10 +94,13 @@ Handle compressed(const Shape& chunk) {
   return list;
 }
 
-/// Chunks of about 64 KiB of whole rows.
+/// Chunks of about 64 KiB: first the leading axes are cut.
 Shape chunk_of(Shape shape, std::size_t element) {
-  const hsize_t row = elements(Shape(shape.begin() + 1, shape.end())) * element;
-  shape[0] = std::clamp<hsize_t>(65536 / std::max<hsize_t>(row, 1), 1, shape[0]);
+  for (std::size_t axis = 0; axis < shape.size(); ++axis) {
+    const hsize_t row = elements(Shape(shape.begin() + static_cast<std::ptrdiff_t>(axis) + 1, shape.end())) * element;
+    shape[axis] = std::clamp<hsize_t>(65536 / std::max<hsize_t>(row, 1), 1, shape[axis]);
+    if (row <= 65536) break;
+  }
   return shape;
 }
 
@@ -309,12 +303,11 @@ void Group::link(std::string_view name, const Group& from, std::string_view memb
 }
 
 template <class T>
-Dataset Group::create(std::string_view name, const Shape& shape, const Shape& chunk) {
+Dataset Group::create(std::string_view name, const Shape& shape, const Shape& most, const Shape& chunk) {
   const Lock lock;
   const std::string wanted = fmt::format("make '{}'", full(name));
-  const Shape unlimited(shape.size(), H5S_UNLIMITED);
-  const Handle space(
-      check(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), unlimited.data()), file_, wanted), H5Sclose);
+  const Handle space(check(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), most.data()), file_, wanted),
+                     H5Sclose);
   const Handle creation = compressed(chunk);
   Handle made(H5Dcreate2(handle_.id(), std::string(name).c_str(), stored_type<T>(), space.id(), H5P_DEFAULT,
                          creation.id(), H5P_DEFAULT),
@@ -442,98 +435,85 @@ std::vector<std::string> Group::attribute_names() const {
 
 // ---- File
 
+namespace {
+
+Handle create_in(Storage& storage, const std::string& name) {
+  const Handle creation = property_list(H5P_FILE_CREATE), access = file_access();
+  use_storage(access.id(), storage);
+  Handle made(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
+  check(made.id(), name, "create the file");
+  return made;
+}
+
+Handle open_in(hid_t access, const std::string& name) {
+  Handle opened(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
+  check(opened.id(), name, "open it as an HDF5 file");
+  return opened;
+}
+
+}  // namespace
+
 File File::create(const std::filesystem::path& path) {
   const Lock lock;
-  const Handle creation = property_list(H5P_FILE_CREATE), access = file_access();
-  H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG);  // closing must reach the disk whatever is still open inside
-  Handle made(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
-  check(made.id(), path.string(), "create the file");
-  return {std::move(made), path.string(), Mode::disk};
+  auto disk = std::make_unique<DiskStorage>(path);
+  Handle made = create_in(*disk, path.string());
+  File file(std::move(made), path.string(), nullptr, std::move(disk));
+  file.check();
+  return file;
 }
 
 File File::create_image(const std::string& name) {
   const Lock lock;
-  const Handle creation = property_list(H5P_FILE_CREATE), access = file_access(H5F_LIBVER_V18);
-  H5Pset_fapl_core(access.id(), std::size_t{1} << 20, false);
-  H5Pset_istore_k(creation.id(), 4);  // small index nodes: most arrays have a single chunk
-  Handle made(H5Fcreate(image_name(name).c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
-  check(made.id(), name, "prepare the file in memory");
-  return {std::move(made), name, Mode::image};
+  auto memory = std::make_unique<MemoryStorage>();
+  Handle made = create_in(*memory, name);
+  return {std::move(made), name, std::move(memory), nullptr};
 }
 
 File File::open(const std::filesystem::path& path) {
   const Lock lock;
-  const Handle access = file_access();
-  Handle opened(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
-  check(opened.id(), path.string(), "open it as an HDF5 file");
-  return {std::move(opened), path.string(), Mode::read};
+  return {open_in(file_access().id(), path.string()), path.string(), nullptr, nullptr};
 }
 
-File File::open_image(std::string_view image, const std::string& name) {
+File File::open_image(std::string image, const std::string& name) {
   const Lock lock;
+  auto memory = std::make_unique<MemoryStorage>(std::move(image));
   const Handle access = file_access();
-  H5Pset_fapl_core(access.id(), std::size_t{1} << 20, false);
-  // The property list copies what it is given and never writes through the pointer.
-  check(H5Pset_file_image(access.id(), const_cast<char*>(image.data()), image.size()), name, "take in its bytes");
-  Handle opened(H5Fopen(image_name(name).c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
-  check(opened.id(), name, "open it as an HDF5 file");
-  return {std::move(opened), name, Mode::read};
-}
-
-File::~File() {
-  if (mode_ == Mode::disk) discard();
+  use_storage(access.id(), *memory);
+  Handle opened = open_in(access.id(), name);
+  return {std::move(opened), name, std::move(memory), nullptr};
 }
 
 Group File::root() const {
   const Lock lock;
   Handle opened(H5Gopen2(handle_.id(), "/", H5P_DEFAULT), H5Gclose);
-  check(opened.id(), name_, "open the root group");
+  jam::hdf5::check(opened.id(), name_, "open the root group");
   return {std::move(opened), name_, "/"};
 }
 
-std::string File::image() {
-  const Lock lock;
-  check(H5Fflush(handle_.id(), H5F_SCOPE_GLOBAL), name_, "gather the file");
-  const auto size = check(H5Fget_file_image(handle_.id(), nullptr, 0), name_, "gather the file");
-  // H5Fget_file_image itself would clear the mark "open for writing" and leave the checksum over it wrong. In the V18
-  // format no reader looks at the mark, so the bytes are good as they lie in memory.
-  void* buffer = nullptr;
-  check(H5Fget_vfd_handle(handle_.id(), H5P_DEFAULT, &buffer), name_, "gather the file");
-  return {*static_cast<char**>(buffer), static_cast<std::size_t>(size)};
+void File::check() const {
+  if (disk_ && disk_->failure() != 0)
+    throw data_error(fmt::format("cannot write the file: {}", std::strerror(disk_->failure())), name_,
+                     "make room on the disk, or write elsewhere");
 }
 
 void File::close() {
   const Lock lock;
-  if (mode_ == Mode::disk && H5Fflush(handle_.id(), H5F_SCOPE_GLOBAL) < 0) {
-    const std::string why = reason();
-    discard();
-    throw data_error("cannot write the file: " + why, name_, "make room on the disk");
-  }
   if (!handle_.reset()) fail(name_, "close the file");
+  check();
 }
 
-/// HDF5 1.10 crashes at the end of the process when a file could not be closed for want of space. What is left to write
-/// of a file nobody wants goes to /dev/null instead.
-void File::discard() {
-  if (handle_.id() < 0) return;
+std::string File::close_image() {
   const Lock lock;
-  void* descriptor = nullptr;
-  if (H5Fget_vfd_handle(handle_.id(), H5P_DEFAULT, &descriptor) >= 0 && descriptor) {
-    const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-    if (nowhere >= 0) {
-      ::dup2(nowhere, *static_cast<int*>(descriptor));
-      ::close(nowhere);
-    }
-  }
-  handle_.reset();
+  if (!handle_.reset()) fail(name_, "close the file");
+  return memory_->take();
 }
 
-#define JAM_HDF5_INSTANCE(T)                                                       \
-  template void Dataset::write<T>(const Shape&, const Shape&, std::span<const T>); \
-  template std::vector<T> Dataset::read<T>(const Shape&, const Shape&) const;      \
-  template Dataset Group::create<T>(std::string_view, const Shape&, const Shape&); \
-  template void Group::write<T>(std::string_view, std::span<const T>, Shape);      \
-  template void Group::attribute<T>(std::string_view, const std::vector<T>&);      \
+#define JAM_HDF5_INSTANCE(T)                                                                     \
+  template void Dataset::write<T>(const Shape&, const Shape&, std::span<const T>);               \
+  template std::vector<T> Dataset::read<T>(const Shape&, const Shape&) const;                    \
+  template Dataset Group::create<T>(std::string_view, const Shape&, const Shape&, const Shape&); \
+  template void Group::write<T>(std::string_view, std::span<const T>, Shape);                    \
+  template void Group::attribute<T>(std::string_view, const std::vector<T>&);                    \
   template std::vector<T> Group::read_attribute<T>(std::string_view) const;
 JAM_HDF5_INSTANCE(double)
 JAM_HDF5_INSTANCE(std::int8_t)

@@ -12,11 +12,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "jamscape/io/hdf5_storage.hpp"
 
 namespace jam::hdf5 {
 
@@ -56,6 +59,7 @@ class Handle {
 };
 
 using Shape = std::vector<hsize_t>;
+inline constexpr hsize_t unlimited = H5S_UNLIMITED;
 
 /// The number types of arrays and attributes: (u)int8, 16, 32, 64 and double.
 template <class T>
@@ -106,9 +110,10 @@ class Group {
   /// A second name for a member of any group of the same file.
   void link(std::string_view name, const Group& from, std::string_view member);
 
-  /// An array that can grow; `chunk` has no zero.
+  /// An array that can grow up to `most` (unlimited for any number; one unlimited axis keeps the index of the chunks
+  /// small); `chunk` has no zero.
   template <class T>
-  Dataset create(std::string_view name, const Shape& shape, const Shape& chunk);
+  Dataset create(std::string_view name, const Shape& shape, const Shape& most, const Shape& chunk);
   Dataset dataset(std::string_view name) const;
 
   /// A whole array at once; one-dimensional unless a shape is given.
@@ -158,27 +163,23 @@ class File {
   static File create_image(const std::string& name);
   /// Existing files, to read only.
   static File open(const std::filesystem::path& path);
-  static File open_image(std::string_view image, const std::string& name);
-
-  File(File&&) = default;
-  File& operator=(File&&) = default;
-  ~File();
+  static File open_image(std::string image, const std::string& name);
 
   Group root() const;
-  /// The bytes of the file so far.
-  std::string image();
-  /// Writes everything and closes; the only place where a full disk may first show. After a failure the file is
-  /// useless.
+  /// Throws the first failure to write to the disk, if there was any.
+  void check() const;
+  /// Closes a file on disk, with all that is open in it; throws when anything of it did not reach the disk.
   void close();
-  /// Closes a file on disk nobody wants, with all that is open in it, whether or not the disk takes its bytes.
-  void discard();
+  /// Closes a file in memory, with all that is open in it, and hands over its bytes.
+  std::string close_image();
 
  private:
-  enum class Mode { read, image, disk };
-  File(Handle handle, std::string name, Mode mode) : handle_(std::move(handle)), name_(std::move(name)), mode_(mode) {}
-  Handle handle_;
+  File(Handle handle, std::string name, std::unique_ptr<MemoryStorage> memory, std::unique_ptr<DiskStorage> disk)
+      : memory_(std::move(memory)), disk_(std::move(disk)), handle_(std::move(handle)), name_(std::move(name)) {}
+  std::unique_ptr<MemoryStorage> memory_;
+  std::unique_ptr<DiskStorage> disk_;
+  Handle handle_;  ///< after the storages, so that it closes before they go
   std::string name_;
-  Mode mode_;
 };
 
 }  // namespace jam::hdf5

@@ -276,15 +276,15 @@ void write_frame(const std::filesystem::path& path, const Packing& packing) {
     RunWriter writer(file.root(), 1);
     writer.append(packing);
     writer.finish({});
-    image = file.image();
+    image = file.close_image();
   }
   write_text(path, seal(std::move(image)));
 }
 
 Packing read_frame(const std::filesystem::path& path) {
-  const std::string image = unseal(read_text(path), path.string());
+  std::string image = unseal(read_text(path), path.string());
   const hdf5::Lock lock;
-  const RunFile file(std::make_unique<RunFile::State>(hdf5::File::open_image(image, path.string())));
+  const RunFile file(std::make_unique<RunFile::State>(hdf5::File::open_image(std::move(image), path.string())));
   if (file.frames() != 1)
     throw data_error(fmt::format("the file holds {} frames where one is expected", file.frames()), path.string());
   return file.frame(0);
@@ -297,14 +297,12 @@ void assemble_run(const std::vector<std::filesystem::path>& frames, const std::f
     // The lock is held call by call only: other simulations go on writing their frames meanwhile.
     hdf5::File file = hdf5::File::create(aside.path());
     RunWriter writer(file.root(), frames.size());
-    try {
-      for (const auto& path : frames) writer.append(read_frame(path));
-      writer.finish(provenance);
-      file.close();
-    } catch (...) {
-      file.discard();  // before the writer's arrays try to flush themselves
-      throw;
+    for (const auto& path : frames) {
+      writer.append(read_frame(path));
+      file.check();
     }
+    writer.finish(provenance);
+    file.close();
   }
   aside.commit();
 }

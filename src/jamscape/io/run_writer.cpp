@@ -48,8 +48,7 @@ void put(std::vector<double>& out, const Vec3& v, int components = 3) {
 
 }  // namespace
 
-RunWriter::RunWriter(Group root, std::size_t expected_frames)
-    : root_(std::move(root)), expected_(std::max<std::size_t>(expected_frames, 1)) {
+RunWriter::RunWriter(Group root, std::size_t frames) : root_(std::move(root)), planned_(frames) {
   root_.attribute("layout_version", std::vector<std::int32_t>{run_layout::version});
   Group h5md = make(root_, "h5md");
   h5md.attribute("version", std::vector<std::int32_t>{1, 1});
@@ -67,6 +66,7 @@ Group RunWriter::make(Group& parent, const char* name) const {
 }
 
 void RunWriter::append(const Packing& packing) {
+  if (count_ == planned_) throw data_error("more frames than were announced", all_.file());
   if (packing.dimension != 2 && packing.dimension != 3)
     throw data_error(fmt::format("a packing of {} dimensions cannot be stored", packing.dimension), all_.file());
   if (count_ == 0) {
@@ -125,10 +125,14 @@ void RunWriter::append_grain_row(const char* name, std::size_t frame, const std:
   auto found = open_.find(name);
   if (found == open_.end()) {
     Group& element = elements_.emplace(name, make(all_, name)).first->second;
+    if (planned_ == 1) return element.write("value", values, shape(1, n));
     const hsize_t bytes = std::max<hsize_t>(width, 1) * sizeof(T);
     const hsize_t columns = std::clamp<hsize_t>(n, 1, chunk_bytes / bytes);
-    const hsize_t rows = std::clamp<hsize_t>(chunk_bytes / (columns * bytes), 1, expected_);
-    found = open_.emplace(name, element.create<T>("value", shape(0, n), shape(rows, columns))).first;
+    const hsize_t rows = std::clamp<hsize_t>(chunk_bytes / (columns * bytes), 1, planned_);
+    found = open_
+                .emplace(name, element.create<T>("value", shape(0, n), shape(planned_, hdf5::unlimited),
+                                                 shape(rows, columns)))
+                .first;
   }
   hdf5::Dataset& data = found->second;
   data.resize(shape(frame + 1, std::max(n, data.shape()[1])));
@@ -139,12 +143,12 @@ template <class T>
 void RunWriter::append_rows(Group& group, const std::string& name, const std::vector<T>& values, hsize_t width) {
   const hsize_t n = values.size() / std::max<hsize_t>(width, 1);
   const auto shape = [&](hsize_t rows) { return width == 0 ? Shape{rows} : Shape{rows, width}; };
+  if (planned_ == 1) return group.write(name, values, shape(n));
   const std::string key = (&group == &walls_ ? "walls/" : "contacts/") + name;
   auto found = open_.find(key);
   if (found == open_.end()) {
-    const hsize_t most = chunk_bytes / (std::max<hsize_t>(width, 1) * sizeof(T));
-    const hsize_t rows = expected_ == 1 ? std::clamp<hsize_t>(n, 1, most) : most;
-    found = open_.emplace(key, group.create<T>(name, shape(0), shape(rows))).first;
+    const hsize_t rows = chunk_bytes / (std::max<hsize_t>(width, 1) * sizeof(T));
+    found = open_.emplace(key, group.create<T>(name, shape(0), shape(hdf5::unlimited), shape(rows))).first;
   }
   hdf5::Dataset& data = found->second;
   const hsize_t before = data.shape()[0];

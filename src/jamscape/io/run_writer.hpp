@@ -13,8 +13,8 @@ namespace jam {
 
 class RunWriter {
  public:
-  /// `expected_frames` only decides how much shares a chunk.
-  RunWriter(hdf5::Group root, std::size_t expected_frames);
+  /// For exactly `frames` frames.
+  RunWriter(hdf5::Group root, std::size_t frames);
   /// Throws a data error for a 2D packing with something out of its plane, or one of another dimension than the first.
   void append(const Packing& packing);
   /// Writes what stands once a file or once a frame; nothing can be appended afterwards.
@@ -40,7 +40,7 @@ class RunWriter {
   void link_times(hdf5::Group& group);
 
   hdf5::Group root_, frames_, particles_, all_, contacts_, walls_;
-  std::size_t expected_, count_ = 0;
+  std::size_t planned_, count_ = 0;
   Packing first_;                                ///< lasting properties of the grains, dimension, domain
   std::map<std::string, hdf5::Group> elements_;  ///< time-dependent members of particles/all
   std::map<std::string, hdf5::Dataset> open_;    ///< arrays that grow; kept open for the sake of their chunk caches

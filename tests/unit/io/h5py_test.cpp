@@ -38,8 +38,7 @@ TEST(RunFile, OpensInH5pyWithTheLayoutWeDescribe) {
       frames.push_back(folder / (number + ".h5"));
       write_frame(frames.back(), p);
       write_packing_csv(p, folder / ("p" + number + ".csv"), folder / ("c" + number + ".csv"));
-      arguments +=
-          " " + (folder / ("p" + number + ".csv")).string() + " " + (folder / ("c" + number + ".csv")).string();
+      for (const char* table : {"p", "c"}) arguments.append(" ").append((folder / (table + number + ".csv")).string());
     }
     assemble_run(frames, folder / "run.h5", {"count = 50  # Körner\n", "0.1.0", {{"seed", "42"}}});
     const int status = check_run(arguments);
