@@ -36,6 +36,12 @@ void Filtration::build(const WeightedGraph& graph, int dimension) {
   });
 }
 
+void Filtration::release_search() {
+  older_ = {};
+  sets_ = {};
+  degree_ = {};
+}
+
 void Filtration::rank_edges(const WeightedGraph& graph) {
   order_.sort(graph.weight);
   degree_.assign(graph.vertices, 0);

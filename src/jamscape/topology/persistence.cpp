@@ -121,6 +121,7 @@ struct PersistenceWorkspace::Parts {
   Filtration cells;
   Reduction reduction;
   std::vector<std::uint32_t> chosen;
+  bool lasting = true;  // there may be another call
 };
 
 PersistenceWorkspace::PersistenceWorkspace() : parts_(std::make_unique<Parts>()) {}
@@ -128,9 +129,10 @@ PersistenceWorkspace::~PersistenceWorkspace() = default;
 
 Diagram persistence(const WeightedGraph& graph, const PersistenceOptions& options, PersistenceWorkspace& workspace) {
   if (options.max_dimension < 0) throw usage_error("the highest dimension of homology must not be negative");
-  auto& [cells, reduction, chosen] = *workspace.parts_;
+  auto& [cells, reduction, chosen, lasting] = *workspace.parts_;
   const bool filled = options.triangles == Triangles::fill && options.max_dimension > 0;
   cells.build(graph, filled ? options.max_dimension + 1 : 1);
+  if (!lasting) cells.release_search();
   for (auto i = cells.cliques.size(); i-- > 0;) {
     reduction.pair(cells.cliques[i], i > 0 ? cells.cliques[i - 1].partner : cells.edge_partner);
   }
@@ -139,6 +141,7 @@ Diagram persistence(const WeightedGraph& graph, const PersistenceOptions& option
 
 Diagram persistence(const WeightedGraph& graph, const PersistenceOptions& options) {
   PersistenceWorkspace workspace;
+  workspace.parts_->lasting = false;
   return persistence(graph, options, workspace);
 }
 

@@ -55,6 +55,7 @@ class PersistenceWorkspace {
   PersistenceWorkspace& operator=(const PersistenceWorkspace&) = delete;
 
  private:
+  friend Diagram persistence(const WeightedGraph&, const PersistenceOptions&);
   friend Diagram persistence(const WeightedGraph&, const PersistenceOptions&, PersistenceWorkspace&);
   struct Parts;
   std::unique_ptr<Parts> parts_;
