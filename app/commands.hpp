@@ -12,6 +12,9 @@ namespace jam::app {
 using Action = std::function<ExitCode()>;
 
 void add_run(CLI::App& program, Action& action);
+void add_results_commands(CLI::App& program, Action& action);  ///< report, score, verify, view, export
+void add_measure(CLI::App& program, Action& action);
+void add_persistence(CLI::App& program, Action& action);
 void add_status(CLI::App& program, Action& action);
 void add_studies(CLI::App& program, Action& action);
 void add_explain(CLI::App& program, Action& action);

@@ -31,6 +31,9 @@ ExitCode run_program(int argc, char** argv) {
   app::Action action;
   app::add_run(program, action);
   app::add_status(program, action);
+  app::add_results_commands(program, action);
+  app::add_measure(program, action);
+  app::add_persistence(program, action);
   app::add_studies(program, action);
   app::add_explain(program, action);
   check_subcommand(program, argc, argv);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "jamscape/base/files.hpp"
 #include "jamscape/report/report.hpp"
 #include "jamscape/study/ensemble.hpp"
 #include "jamscape/study/tables.hpp"
@@ -53,7 +54,8 @@ void print_json(const Study& study, const std::vector<std::vector<Transition>>& 
 }  // namespace
 
 void write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results, Summary summary) {
-  const std::vector<DoneTask> done = find_done(tasks, results);
+  const FileLock lock = FileLock::lock(results / "tables.lock");  // shards may end at the same moment
+  const std::vector<DoneTask> done = find_done(tasks, results, chosen_measures(study));
   write_tables(study, done, results);
   write_ensemble(study, done, results);
   const std::vector<std::vector<Transition>> transitions = write_transitions(study, done, results);

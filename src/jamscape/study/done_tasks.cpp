@@ -8,11 +8,12 @@
 
 namespace jam {
 
-std::vector<DoneTask> find_done(const std::vector<Task>& tasks, const std::filesystem::path& results) {
+std::vector<DoneTask> find_done(const std::vector<Task>& tasks, const std::filesystem::path& results,
+                                const std::vector<const Measure*>& measures) {
   std::vector<DoneTask> done;
   for (const Task& task : tasks) {
     TaskFolder folder(results, task.hash);
-    if (!has_all_frames(folder, task.plan)) continue;
+    if (!has_all_frames(folder, task.plan) || !has_rows(folder, measures)) continue;
     std::vector<std::size_t> stored = stored_frames(RunFile(folder.run_file()), task.plan).value();
     done.push_back({&task, std::move(folder), std::move(stored)});
   }

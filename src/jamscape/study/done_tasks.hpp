@@ -21,8 +21,9 @@ struct DoneTask {
   std::vector<std::size_t> stored;  ///< index in run.h5 of each planned frame
 };
 
-/// Those that are done, in the order of the tasks.
-std::vector<DoneTask> find_done(const std::vector<Task>& tasks, const std::filesystem::path& results);
+/// Those that are done and have rows of all these measures, in the order of the tasks.
+std::vector<DoneTask> find_done(const std::vector<Task>& tasks, const std::filesystem::path& results,
+                                const std::vector<const Measure*>& measures);
 
 /// Quantities of one row a frame, of all realisations of one system.
 struct FrameSeries {

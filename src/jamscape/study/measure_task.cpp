@@ -9,6 +9,7 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/files.hpp"
 #include "jamscape/base/hash.hpp"
+#include "jamscape/base/threads.hpp"
 #include "jamscape/study/version.hpp"
 
 namespace jam {
@@ -112,6 +113,25 @@ std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measu
   }
   write_text(folder.tables() / "keys.json", keys.dump(1) + "\n");
   return missing.size();
+}
+
+bool has_rows(const TaskFolder& folder, const std::vector<const Measure*>& measures) {
+  const auto there = [&](const Measure* m) {
+    std::error_code ignored;
+    return fs::exists(table_file(folder, *m), ignored);
+  };
+  return there(&instant_measure()) && std::all_of(measures.begin(), measures.end(), there);
+}
+
+void measure_tasks(const Study& study, const std::vector<Task>& tasks, const fs::path& results, int jobs, Remeasure what) {
+  const std::vector<const Measure*> chosen = chosen_measures(study);
+  const std::vector<std::size_t> order = order_tasks(tasks, {});
+  run_jobs(order.size(), jobs, [&](std::size_t k) {
+    const Task& task = tasks[order[k]];
+    const TaskFolder folder(results, task.hash);
+    if (!has_all_frames(folder, task.plan)) return;
+    if (const auto lock = FileLock::try_lock(folder.lock())) measure_task(folder, chosen, study.measure, what);
+  });
 }
 
 CachedRows read_cached_rows(const TaskFolder& folder, const Measure& measure) {

@@ -26,6 +26,13 @@ std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measu
                          const MeasureOptions& options, Remeasure what = Remeasure::missing,
                          const std::function<bool()>& stop = {});
 
+/// True when the folder has rows of all these measures.
+bool has_rows(const TaskFolder& folder, const std::vector<const Measure*>& measures);
+
+/// measure_task() on all tasks that are done, several at a time, leaving out those another process works on.
+void measure_tasks(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results, int jobs,
+                   Remeasure what);
+
 /// The cached rows of one measure of one task, as text: lines[f] are the rows of frame f of run.h5 without the leading
 /// frame column.
 struct CachedRows {

@@ -1,7 +1,4 @@
-// The only file that knows TOML as input. A document becomes a list of leaves (dotted key, value, place); everything
-// after that works on options (base/schema.hpp).
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <set>
@@ -11,81 +8,15 @@
 #include "jamscape/base/files.hpp"
 #include "jamscape/base/nearest.hpp"
 #include "jamscape/study/study.hpp"
+#include "jamscape/study/toml_leaves.hpp"
 
 namespace jam {
 namespace {
-
-struct Leaf {
-  std::string key;
-  Written value;
-  toml::source_position at;
-  std::string place;
-};
-
-std::string place_of(const std::string& file, toml::source_position at) {
-  return fmt::format("{}:{}:{}", file, at.line, at.column);
-}
-
-Written written(const toml::node& node, const std::string& file) {
-  const std::string place = place_of(file, node.source().begin);
-  if (const auto* b = node.as_boolean()) return {b->get(), place};
-  if (const auto* n = node.as_integer()) return {n->get(), place};
-  if (const auto* x = node.as_floating_point()) return {x->get(), place};
-  if (const auto* s = node.as_string()) return {s->get(), place};
-  if (const auto* a = node.as_array()) {
-    std::vector<Written> items;
-    for (const toml::node& item : *a) items.push_back(written(item, file));
-    return {std::move(items), place};
-  }
-  throw usage_error("a date, a time or a table stands where a value is expected", place);
-}
-
-/// Leaves in the order in which they were written; an empty table is a leaf without use, so that its name is checked.
-void flatten(const toml::table& table, const std::string& prefix, const std::string& file, std::vector<Leaf>& leaves) {
-  for (const auto& [key, node] : table) {
-    const std::string path = prefix + std::string(key.str());
-    const toml::source_position at = key.source().begin;
-    if (const toml::table* inner = node.as_table(); inner && !inner->empty())
-      flatten(*inner, path + ".", file, leaves);
-    else if (!inner)
-      leaves.push_back({path, written(node, file), at, place_of(file, at)});
-  }
-  std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
-    return std::pair(a.at.line, a.at.column) < std::pair(b.at.line, b.at.column);
-  });
-}
-
-std::vector<Leaf> leaves_of(const toml::table& table, const std::string& prefix, const std::string& file) {
-  std::vector<Leaf> leaves;
-  flatten(table, prefix, file, leaves);
-  return leaves;
-}
-
-std::vector<std::string> keys_of(const std::vector<Option>& options) {
-  std::vector<std::string> keys;
-  for (const Option& o : options) keys.push_back(o.key);
-  return keys;
-}
-
-const Option& find_option(const std::vector<Option>& options, const Leaf& leaf) {
-  for (const Option& o : options)
-    if (o.key == leaf.key) return o;
-  throw_unknown_key(leaf.key, keys_of(options), leaf.place);
-}
 
 /// Assigns and says where, so that a later complaint about the option can point at it.
 void set_option(const std::vector<Option>& options, const Leaf& leaf, std::map<std::string, std::string>& places) {
   assign(find_option(options, leaf), leaf.value);
   places[leaf.key] = leaf.place;
-}
-
-const toml::array& tables_of(const toml::node& node, const std::string& name, const std::string& file) {
-  const toml::array* array = node.as_array();
-  const bool tables = array && !array->empty() && array->is_homogeneous(toml::node_type::table);
-  if (!tables)
-    throw usage_error(fmt::format("'{}' must be a list of tables", name), place_of(file, node.source().begin),
-                      fmt::format("write [[{}]] above each", name));
-  return *array;
 }
 
 void check_name(const std::string& name, std::string_view allowed, const std::string& what, const std::string& place) {
@@ -309,13 +240,7 @@ Setting read_setting(std::string_view text) {
 }
 
 Study read_study_text(std::string_view text, const std::string& file_name, const std::vector<Setting>& settings) {
-  toml::table document;
-  try {
-    document = toml::parse(text, file_name);
-  } catch (const toml::parse_error& error) {
-    throw usage_error(std::string(error.description()), place_of(file_name, error.source().begin),
-                      "the format is TOML: https://toml.io");
-  }
+  const toml::table document = parse_toml(text, file_name);
   return StudyReader(file_name, settings).read(document);
 }
 

@@ -1,0 +1,72 @@
+#include "jamscape/study/targets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/study/study.hpp"
+#include "jamscape/study/toml_leaves.hpp"
+
+namespace jam {
+namespace {
+
+std::vector<std::string> system_keys() {
+  std::vector<std::string> keys;
+  for (const KnownOption& o : known_options())
+    if (!o.key.starts_with("study.") && !o.key.starts_with("measure.") && !o.key.starts_with("report."))
+      keys.push_back(o.key);
+  return keys;
+}
+
+void add_condition(Side& side, const std::string& key, const Leaf& leaf) {
+  const std::vector<std::string> keys = system_keys();
+  const bool of_stage = key.starts_with("stage.");  // named by the study, not known here
+  if (!of_stage && std::find(keys.begin(), keys.end(), key) == keys.end()) throw_unknown_key(key, keys, leaf.place);
+  side.where.emplace_back(key, leaf.value);
+}
+
+Target read_target(const toml::table& table, const std::string& file) {
+  Target t;
+  std::vector<Option> options = {{"name", {.text = "what is compared"}, &t.name},
+                                 {"source", {.text = "paper and place"}, &t.source},
+                                 {"known_deviation", {.text = "why it is not expected to agree"}, &t.known_deviation},
+                                 {"realisations", {.text = "needed for a verdict", .min = 1}, &t.realisations},
+                                 {"tolerance", {.text = "largest difference that passes", .min = 0}, &t.tolerance},
+                                 {"quantity", {.text = "of a value: what is compared"}, &t.left.quantity},
+                                 {"value", {.text = "of a value: as published"}, &t.right.value}};
+  for (Option& o : options_of(t.left, "left.")) options.push_back(std::move(o));
+  for (Option& o : options_of(t.right, "right.")) options.push_back(std::move(o));
+  for (const Leaf& leaf : leaves_of(table, "", file)) {
+    if (leaf.key.starts_with("where."))
+      add_condition(t.left, leaf.key.substr(6), leaf);
+    else if (leaf.key.starts_with("left.where."))
+      add_condition(t.left, leaf.key.substr(11), leaf);
+    else if (leaf.key.starts_with("right.where."))
+      add_condition(t.right, leaf.key.substr(12), leaf);
+    else
+      assign(find_option(options, leaf), leaf.value);
+  }
+  const std::string place = place_of(file, table.source().begin);
+  if (t.name.empty()) throw usage_error("a target has no name", place);
+  if (t.left.quantity.empty()) throw usage_error(fmt::format("the target '{}' has no quantity", t.name), place);
+  if (t.right.quantity.empty() && std::isnan(t.right.value))
+    throw usage_error(fmt::format("the target '{}' has nothing to compare with", t.name), place);
+  return t;
+}
+
+}  // namespace
+
+std::vector<Target> read_targets(std::string_view text, const std::string& file) {
+  const toml::table document = parse_toml(text, file);
+  std::vector<Target> targets;
+  for (const auto& [key, node] : document) {
+    const std::string name(key.str());
+    if (name != "target") throw_unknown_key(name, {"target"}, place_of(file, key.source().begin));
+    for (const toml::node& item : tables_of(node, "target", file)) targets.push_back(read_target(*item.as_table(), file));
+  }
+  return targets;
+}
+
+}  // namespace jam

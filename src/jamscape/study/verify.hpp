@@ -1,0 +1,22 @@
+// Is a simulation still what it was? Run it again and compare every bit of every frame.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "jamscape/packing/packing.hpp"
+#include "jamscape/study/study.hpp"
+#include "jamscape/study/task.hpp"
+
+namespace jam {
+
+/// The first array or number in which two packings differ in any bit, e.g. "grains.position"; empty when they are the same.
+std::string first_difference(const Packing& a, const Packing& b);
+
+/// Simulates a task that is done again, in a folder of its own that is removed afterwards, and compares. Returns "" or
+/// what differs where. Throws a data error for a task that is not done.
+std::string verify_task(const Study& study, const Task& task, const std::filesystem::path& results,
+                        const std::function<void(const Progress&)>& progress = {});
+
+}  // namespace jam
