@@ -58,9 +58,11 @@ Handle file_access() {
   return list;
 }
 
-Handle string_type() {
+/// UTF-8 text of `size` bytes, or H5T_VARIABLE.
+Handle string_type(std::size_t size) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type.id(), H5T_VARIABLE);
+  H5Tset_size(type.id(), size);
+  H5Tset_strpad(type.id(), size == H5T_VARIABLE ? H5T_STR_NULLTERM : H5T_STR_NULLPAD);
   H5Tset_cset(type.id(), H5T_CSET_UTF8);
   return type;
 }
@@ -104,30 +106,25 @@ Shape chunk_of(Shape shape, std::size_t element) {
   return shape;
 }
 
-/// Reads strings of a dataset or attribute through `transfer`, whether they are of fixed or variable length.
-template <class Transfer>
-std::vector<std::string> read_text(hid_t type, hid_t space, const std::string& file, const std::string& wanted,
-                                   Transfer transfer) {
-  if (H5Tget_class(type) != H5T_STRING) throw data_error(fmt::format("cannot {}: it holds no text", wanted), file);
-  const hsize_t count = elements(shape_of(space));
-  if (count > (hsize_t{1} << 32))
-    throw data_error(fmt::format("cannot {}: {} strings are too many", wanted, count), file);
+/// Deflate packs at most 1032 to 1, so an array that claims more than that was never written.
+void check_stored(hid_t dataset, hsize_t bytes, const std::string& file, const std::string& wanted) {
+  const hsize_t stored = H5Dget_storage_size(dataset);
+  if (bytes > 65536 && bytes / 2048 > stored)
+    throw data_error(fmt::format("cannot {}: it claims {} bytes but holds {}", wanted, bytes, stored), file,
+                     "the file is damaged; make it anew");
+}
+
+/// Strings of fixed length one behind the other, and back.
+std::string pack(const std::vector<std::string>& values, std::size_t size) {
+  std::string packed(values.size() * size, '\0');
+  for (std::size_t k = 0; k < values.size(); ++k) values[k].copy(packed.data() + k * size, size);
+  return packed;
+}
+
+std::vector<std::string> unpack(const std::string& packed, std::size_t size) {
   std::vector<std::string> values;
-  if (count == 0) return values;
-  if (H5Tis_variable_str(type) > 0) {
-    const Handle memory = string_type();
-    std::vector<char*> raw(count, nullptr);
-    check(transfer(memory.id(), raw.data()), file, wanted);
-    for (const char* s : raw) values.emplace_back(s ? s : "");
-    H5Dvlen_reclaim(memory.id(), space, H5P_DEFAULT, raw.data());
-    return values;
-  }
-  const std::size_t size = H5Tget_size(type);
-  if (size > (std::size_t{1} << 32) / count) throw data_error(fmt::format("cannot {}: it is too long", wanted), file);
-  std::vector<char> raw(count * size);
-  check(transfer(type, raw.data()), file, wanted);
-  for (hsize_t k = 0; k < count; ++k) {
-    const std::string_view text(raw.data() + k * size, size);
+  for (std::size_t at = 0; at < packed.size(); at += size) {
+    const std::string_view text(packed.data() + at, size);
     values.emplace_back(text.substr(0, text.find('\0')));
   }
   return values;
@@ -223,11 +220,7 @@ std::vector<T> Dataset::read(const Shape& start, const Shape& count) const {
   const Lock lock;
   const std::string wanted = fmt::format("read '{}'", path_);
   const hsize_t n = elements(count);
-  // Deflate packs at most 1032 to 1, so an array that claims more than that was never written.
-  const hsize_t stored = H5Dget_storage_size(handle_.id());
-  if (n > 4096 && n / 2048 > stored)
-    throw data_error(fmt::format("cannot {}: it claims {} elements but holds {} bytes", wanted, n, stored), file_,
-                     "the file is damaged; make it anew");
+  check_stored(handle_.id(), elements({n, sizeof(T)}), file_, wanted);
   const Handle type(check(H5Dget_type(handle_.id()), file_, wanted), H5Tclose);
   if (const auto kind = H5Tget_class(type.id()); kind != H5T_INTEGER && kind != H5T_FLOAT && kind != H5T_ENUM)
     throw data_error(fmt::format("cannot {}: it holds no numbers", wanted), file_);
@@ -348,51 +341,63 @@ void Group::write_string(std::string_view name, const std::string& value) { writ
 void Group::write_text(std::string_view name, const std::vector<std::string>& values, const Shape& shape) {
   const Lock lock;
   const std::string wanted = fmt::format("write '{}'", full(name));
-  const Handle type = string_type(), space = space_of(shape), creation = property_list(H5P_DATASET_CREATE);
+  std::size_t size = 1;
+  for (const std::string& value : values) size = std::max(size, value.size());
+  const Handle type = string_type(size), space = space_of(shape);
+  const Handle creation =
+      !shape.empty() && !values.empty() ? compressed(chunk_of(shape, size)) : property_list(H5P_DATASET_CREATE);
   const Handle made(H5Dcreate2(handle_.id(), std::string(name).c_str(), type.id(), space.id(), H5P_DEFAULT,
                                creation.id(), H5P_DEFAULT),
                     H5Dclose);
   check(made.id(), file_, wanted);
-  std::vector<const char*> raw;
-  for (const std::string& value : values) raw.push_back(value.c_str());
-  if (!raw.empty()) check(H5Dwrite(made.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()), file_, wanted);
+  if (!values.empty())
+    check(H5Dwrite(made.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pack(values, size).data()), file_, wanted);
 }
 
 std::vector<std::string> Group::read_strings(std::string_view name) const {
   const Lock lock;
   const Dataset data = dataset(name);
   const hid_t id = data.handle_.id();
-  const Handle type(H5Dget_type(id), H5Tclose), space(H5Dget_space(id), H5Sclose);
-  return read_text(type.id(), space.id(), file_, fmt::format("read '{}'", full(name)),
-                   [&](hid_t memory, void* out) { return H5Dread(id, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, out); });
+  const std::string wanted = fmt::format("read '{}'", full(name));
+  const Handle type(check(H5Dget_type(id), file_, wanted), H5Tclose);
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0)
+    throw data_error(fmt::format("cannot {}: it holds no text of fixed length", wanted), file_);
+  const std::size_t size = H5Tget_size(type.id());
+  const hsize_t bytes = elements({elements(data.shape()), size});
+  check_stored(id, bytes, file_, wanted);
+  std::string packed(bytes, '\0');
+  if (bytes > 0)
+    check(H5Dread(id, string_type(size).id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), file_, wanted);
+  return unpack(packed, size);
 }
 
 template <class T>
 void Group::attribute(std::string_view name, const std::vector<T>& values) {
   const Lock lock;
-  const std::string wanted = fmt::format("write the attribute '{}' of '{}'", name, path_);
-  const Handle space = space_of(values.size() == 1 ? Shape{} : Shape{values.size()});
-  const Handle made(
-      H5Acreate2(handle_.id(), std::string(name).c_str(), stored_type<T>(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-      H5Aclose);
-  check(made.id(), file_, wanted);
-  check(H5Awrite(made.id(), memory_type<T>(), values.data()), file_, wanted);
+  write_attribute(name, Handle(H5Tcopy(stored_type<T>()), H5Tclose),
+                  values.size() == 1 ? Shape{} : Shape{values.size()}, values.data());
 }
 
 void Group::attribute(std::string_view name, const std::string& value) {
-  attribute(name, std::vector<std::string>{value});
+  const Lock lock;
+  const std::size_t size = std::max<std::size_t>(value.size(), 1);
+  write_attribute(name, string_type(size), {}, pack({value}, size).data());
 }
 
-void Group::attribute(std::string_view name, const std::vector<std::string>& values) {
+void Group::attribute_for_others(std::string_view name, const std::vector<std::string>& values) {
   const Lock lock;
+  std::vector<const char*> raw;
+  for (const std::string& value : values) raw.push_back(value.c_str());
+  write_attribute(name, string_type(H5T_VARIABLE), values.size() == 1 ? Shape{} : Shape{values.size()}, raw.data());
+}
+
+void Group::write_attribute(std::string_view name, const Handle& type, const Shape& shape, const void* values) {
   const std::string wanted = fmt::format("write the attribute '{}' of '{}'", name, path_);
-  const Handle type = string_type(), space = space_of(values.size() == 1 ? Shape{} : Shape{values.size()});
+  const Handle space = space_of(shape);
   const Handle made(
       H5Acreate2(handle_.id(), std::string(name).c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   check(made.id(), file_, wanted);
-  std::vector<const char*> raw;
-  for (const std::string& value : values) raw.push_back(value.c_str());
-  check(H5Awrite(made.id(), type.id(), raw.data()), file_, wanted);
+  check(H5Awrite(made.id(), type.id(), values), file_, wanted);
 }
 
 bool Group::has_attribute(std::string_view name) const {
@@ -414,14 +419,19 @@ std::vector<T> Group::read_attribute(std::string_view name) const {
   return values;
 }
 
-std::vector<std::string> Group::read_text_attribute(std::string_view name) const {
+std::optional<std::string> Group::read_text_attribute(std::string_view name) const {
   const Lock lock;
   const std::string wanted = fmt::format("read the attribute '{}' of '{}'", name, path_);
   const Handle opened(H5Aopen(handle_.id(), std::string(name).c_str(), H5P_DEFAULT), H5Aclose);
   check(opened.id(), file_, wanted);
   const Handle type(H5Aget_type(opened.id()), H5Tclose), space(H5Aget_space(opened.id()), H5Sclose);
-  return read_text(type.id(), space.id(), file_, wanted,
-                   [&](hid_t memory, void* out) { return H5Aread(opened.id(), memory, out); });
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 ||
+      H5Sget_simple_extent_type(space.id()) != H5S_SCALAR)
+    return {};
+  const std::size_t size = H5Tget_size(type.id());
+  std::string packed(size, '\0');
+  check(H5Aread(opened.id(), string_type(size).id(), packed.data()), file_, wanted);
+  return unpack(packed, size)[0];
 }
 
 std::vector<std::string> Group::attribute_names() const {

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -127,19 +128,23 @@ class Group {
   std::vector<T> read(std::string_view name) const {
     return dataset(name).read<T>();
   }
-  /// Variable-length UTF-8 strings without NUL: an array, or a single one.
+  /// UTF-8 text without NUL, an array or a single one, of fixed length: text of variable length stands in the one part
+  /// of a file that carries no checksum, where damage crashes the library. So we never read such text.
   void write_strings(std::string_view name, const std::vector<std::string>& values);
   void write_string(std::string_view name, const std::string& value);
   std::vector<std::string> read_strings(std::string_view name) const;
 
   template <class T>
   void attribute(std::string_view name, const std::vector<T>& values);
+  /// Text of fixed length.
   void attribute(std::string_view name, const std::string& value);
-  void attribute(std::string_view name, const std::vector<std::string>& values);
+  /// Text of variable length, which other programs like best; it cannot be read back here.
+  void attribute_for_others(std::string_view name, const std::vector<std::string>& values);
   bool has_attribute(std::string_view name) const;
   template <class T>
   std::vector<T> read_attribute(std::string_view name) const;
-  std::vector<std::string> read_text_attribute(std::string_view name) const;
+  /// No value when it is anything but a single text of fixed length.
+  std::optional<std::string> read_text_attribute(std::string_view name) const;
   /// Names of the attributes, sorted.
   std::vector<std::string> attribute_names() const;
 
@@ -151,6 +156,7 @@ class Group {
       : handle_(std::move(handle)), file_(std::move(file)), path_(std::move(path)) {}
   std::string full(std::string_view name) const;
   void write_text(std::string_view name, const std::vector<std::string>& values, const Shape& shape);
+  void write_attribute(std::string_view name, const Handle& type, const Shape& shape, const void* values);
   Handle handle_;
   std::string file_, path_;
 };

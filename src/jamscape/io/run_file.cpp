@@ -239,9 +239,8 @@ Provenance RunFile::provenance() const {
   Provenance provenance;
   for (const std::string& name : parameters.attribute_names()) {
     if (name == "layout_version" || name == "program") continue;
-    const auto text = parameters.read_text_attribute(name);
-    if (text.size() != 1) continue;
-    (name == "version" ? provenance.version : provenance.further[name]) = text[0];
+    if (const auto text = parameters.read_text_attribute(name))
+      (name == "version" ? provenance.version : provenance.further[name]) = *text;
   }
   if (const auto config = parameters.read_strings("config"); config.size() == 1) provenance.study = config[0];
   return provenance;

@@ -17,7 +17,8 @@
 //                bead_radius f64, bead_offset u64[W+1], bead f64[B][3]
 //   /observables/{packing_fraction,packing_fraction_plain,energy_kinetic,...}/{step,time,value[T]}
 //   /parameters  attributes program, version and others; config string
-// Every group carries the attribute layout_version; groups not named here are left alone.
+// Every group carries the attribute layout_version; groups not named here are left alone. Text that is read back is of
+// fixed length (hdf5.hpp says why).
 #pragma once
 
 #include <cstdint>

@@ -226,7 +226,7 @@ void RunWriter::finish_box() {
   std::vector<std::string> boundary;
   for (std::size_t k = 0; k < static_cast<std::size_t>(first_.dimension); ++k)
     boundary.push_back(first_.domain.periodic[k] ? "periodic" : "none");
-  box.attribute("boundary", boundary);
+  box.attribute_for_others("boundary", boundary);
   finish_element(box, "edges", edges_, static_cast<hsize_t>(first_.dimension));
   box.write("lower", lower_, {count_, 3});
   box.write("upper", upper_, {count_, 3});
@@ -276,9 +276,9 @@ void RunWriter::finish(const Provenance& provenance) {
 
   Group h5md = root_.group("h5md");
   Group author = make(h5md, "author"), creator = make(h5md, "creator");
-  author.attribute("name", std::string("jamscape"));
-  creator.attribute("name", std::string("jamscape"));
-  creator.attribute("version", provenance.version.empty() ? std::string("unknown") : provenance.version);
+  author.attribute_for_others("name", {"jamscape"});
+  creator.attribute_for_others("name", {"jamscape"});
+  creator.attribute_for_others("version", {provenance.version.empty() ? "unknown" : provenance.version});
 }
 
 }  // namespace jam

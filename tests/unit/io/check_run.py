@@ -78,7 +78,7 @@ def main(run, *tables):
         assert f["observables/packing_fraction/value"].shape == (frames,)
         assert f["observables/energy_rubbed/time"] == f["frames/time"]
         assert f["parameters/config"][()].decode() == "count = 50  # Körner\n"
-        assert f["parameters"].attrs["seed"] == "42"
+        assert f["parameters"].attrs["seed"] == b"42"
 
 
 main(*sys.argv[1:])
