@@ -1,8 +1,20 @@
 #include "jamscape/topology/clique_builder.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "jamscape/base/error.hpp"
 
 namespace jam {
+namespace {
+
+void check_room(const Cliques& cells) {
+  if (cells.count() < kAtOnce - (1u << 20)) return;
+  throw data_error("the network has too many cliques: 2^31 of dimension " + std::to_string(cells.dimension), {},
+                   "ask for a lower dimension of homology, or raise the threshold below which contacts are left out");
+}
+
+}  // namespace
 
 CliqueBuilder::CliqueBuilder(const OlderGraph& graph, std::span<const Ends> ends, std::uint32_t dimension,
                              std::vector<Cliques>& into)
@@ -23,6 +35,7 @@ void CliqueBuilder::begin_edge(std::uint32_t rank) {
 void CliqueBuilder::add(std::span<const CommonNeighbour> common) {
   common_ = common;
   auto& triangles = cliques_[0];
+  check_room(triangles);
   for (const auto& c : common) {
     triangles.facets.insert(triangles.facets.end(), {rank_, c.link_a, c.link_b});
     triangles.others.push_back(c.vertex);
@@ -72,6 +85,7 @@ bool CliqueBuilder::begins_class() const {
 
 void CliqueBuilder::add_larger(std::uint32_t dimension) {
   auto& cells = cliques_[dimension - 2];
+  check_room(cells);
   for (std::size_t i = 0; i < chosen_.size(); ++i) cells.facets.push_back(facet_of_group(dimension - 1, i));
   cells.facets.push_back(facet_without_end(dimension - 1, true));
   cells.facets.push_back(facet_without_end(dimension - 1, false));
