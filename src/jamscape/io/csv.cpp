@@ -241,7 +241,12 @@ Table read_csv(const std::filesystem::path& path) { return CsvFile::read(path).t
 std::string to_csv(const Table& table, const CsvMetadata& metadata) {
   const bool only = table.columns.size() == 1;
   std::string out;
-  for (const auto& [key, value] : metadata) out += fmt::format("# {}: {}\n", key, value);
+  for (const auto& [key, value] : metadata) {
+    std::string line = fmt::format("# {}: {}", key, value);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    out += line + '\n';
+  }
   for (const Column& column : table.columns) {
     if (&column != &table.columns.front()) out += ',';
     put(out, column.name, only);

@@ -137,6 +137,12 @@ TEST(Csv, ASingleColumnKeepsEmptyText) {
   EXPECT_EQ(values<Texts>(parse(to_csv(t)), "a"), (Texts{"x", "", "y"}));
 }
 
+TEST(Csv, MetadataStayOnTheirLine) {
+  Table t;
+  t.add("a", Integers{1});
+  EXPECT_EQ(to_csv(t, {{"stage", "two\nlines"}}), "# stage: two lines\na\n1\n");
+}
+
 TEST(Csv, ColumnsOfUnequalLength) {
   Table t;
   t.add("a", Integers{1, 2});
