@@ -71,11 +71,11 @@ ExitCode run(const RunArguments& a) {
   const std::vector<Task> tasks = list_tasks(study);
   if (a.dry_run) return dry_run(study, tasks, a, options.jobs);
 
+  watch_stop_signals();
   check_results(out, study);
   make_folder(out);
   const RunnerLock lock(out, options.shard);
   write_results_study(out, study);
-  watch_stop_signals();
 
   RunResult result;
   {

@@ -54,7 +54,7 @@ void print_json(const Study& study, const std::vector<std::vector<Transition>>& 
 }  // namespace
 
 void write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results, Summary summary) {
-  const FileLock lock = FileLock::lock(results / "tables.lock");  // shards may end at the same moment
+  const FileLock lock = FileLock::lock(results / "lock.tables");  // shards may end at the same moment
   const std::vector<DoneTask> done = find_done(tasks, results, chosen_measures(study));
   write_tables(study, done, results);
   write_ensemble(study, done, results);

@@ -13,6 +13,9 @@ namespace fs = std::filesystem;
 
 std::string other_folder(const std::string& why) { return fmt::format("{}, or choose another folder with --out", why); }
 
+/// What a runner makes before study.toml; shards may start at the same moment.
+bool is_first_file(const std::string& name) { return name.starts_with("lock") || name == "study.toml.part"; }
+
 FileLock take(const fs::path& file, LockMode mode, const std::string& what) {
   if (auto lock = FileLock::try_lock(file, mode)) return std::move(*lock);
   std::string holder = read_text(file);
@@ -37,7 +40,7 @@ void check_results(const fs::path& results, const Study& study) {
   if (!fs::is_directory(results, error)) throw usage_error("this is a file, not a folder", results.string(), "--out DIR");
   if (!fs::exists(results / "study.toml", error)) {
     for (const auto& entry : fs::directory_iterator(results, error))
-      if (entry.path().filename() != "lock" && entry.path().filename() != "study.toml.part")
+      if (!is_first_file(entry.path().filename().string()))
         throw usage_error("the folder is not empty and holds no results of a study", results.string(),
                           "choose a new or empty folder with --out");
     return;
@@ -62,10 +65,12 @@ void check_results(const fs::path& results, const Study& study) {
 }
 
 void write_results_study(const fs::path& results, const Study& study) {
-  make_folder(results / "tasks");
+  make_folder(results);
+  const FileLock lock = FileLock::lock(results / "lock.study");
   write_text(results / "study.toml",
              print_study(study) + fmt::format("\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\n",
                                               print_text(program_version()), print_text(program_commit()), physics_revision));
+  make_folder(results / "tasks");
 }
 
 RunnerLock::RunnerLock(const fs::path& results, const Shard& shard)

@@ -4,7 +4,8 @@
 //   DIR/tasks/<hash>/     task_folder.hpp
 //   DIR/tables/*.csv      tables.hpp
 //   DIR/ensemble/*.csv    ensemble.hpp, transitions.hpp
-//   DIR/lock              held while a runner works: alone, or shared by the shards of one study
+//   DIR/lock*             held while a runner works (alone, or shared by the shards of one study) and while study.toml
+//                         and the tables are written
 #pragma once
 
 #include <filesystem>

@@ -180,13 +180,12 @@ class StudyReader {
   System read_system(const toml::table& table, std::set<std::string>& overridden) {
     System system{{}, study_.base, places_};
     const std::string place = place_of(file_, table.source().begin);
-    if (const toml::node* stages = table.get("stage"); stages && stages->is_array())
-      system.options.stages = read_stages(*stages, "system.stage", file_, system.places);
-    toml::table rest = table;
-    if (rest.contains("stage") && rest.get("stage")->is_array()) rest.erase("stage");
+    const toml::node* stages = table.get("stage");
+    const bool own_stages = stages && stages->is_array();
+    if (own_stages) system.options.stages = read_stages(*stages, "system.stage", file_, system.places);
     std::vector<Option> options = system_options(system.options);
     options.push_back({"name", {.text = "name of the system"}, &system.name});
-    for (const Leaf& leaf : leaves_of(rest, "", file_)) {
+    for (const Leaf& leaf : leaves_of(table, "", file_, own_stages ? "stage" : "")) {
       set_option(options, leaf, system.places);
       overridden.insert(leaf.key);
     }

@@ -11,12 +11,14 @@ namespace jam {
 namespace {
 
 /// Empty tables say nothing.
-void flatten(const toml::table& table, const std::string& prefix, const std::string& file, std::vector<Leaf>& leaves) {
+void flatten(const toml::table& table, const std::string& prefix, const std::string& file, std::string_view skip,
+             std::vector<Leaf>& leaves) {
   for (const auto& [key, node] : table) {
+    if (!skip.empty() && key.str() == skip) continue;
     const std::string path = prefix + std::string(key.str());
     const toml::source_position at = key.source().begin;
     if (const toml::table* inner = node.as_table(); inner && !inner->empty())
-      flatten(*inner, path + ".", file, leaves);
+      flatten(*inner, path + ".", file, {}, leaves);
     else if (!inner)
       leaves.push_back({path, written(node, file), at, place_of(file, at)});
   }
@@ -60,9 +62,10 @@ Written written(const toml::node& node, const std::string& file) {
   throw usage_error("a date, a time or a table stands where a value is expected", place);
 }
 
-std::vector<Leaf> leaves_of(const toml::table& table, const std::string& prefix, const std::string& file) {
+std::vector<Leaf> leaves_of(const toml::table& table, const std::string& prefix, const std::string& file,
+                            std::string_view skip) {
   std::vector<Leaf> leaves;
-  flatten(table, prefix, file, leaves);
+  flatten(table, prefix, file, skip, leaves);
   return leaves;
 }
 

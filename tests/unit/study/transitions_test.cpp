@@ -1,0 +1,72 @@
+#include "jamscape/study/transitions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace jam {
+namespace {
+
+/// Three runs of a Z that jumps like a logistic at .80, .81 and .82, and a plain packing fraction .01 higher.
+FrameSeries jumping() {
+  FrameSeries s;
+  s.quantity = {"packing_fraction_plain", "z"};
+  s.value.resize(2);
+  s.realisations = 3;
+  for (int k = 0; k <= 100; ++k) s.target.push_back(0.7 + 0.002 * k);
+  for (const double jump : {0.80, 0.81, 0.82}) {
+    std::vector<double> z, plain;
+    for (const double x : s.target) {
+      z.push_back(6 / (1 + std::exp(-(x - jump) / 0.004)));
+      plain.push_back(x + 0.01);
+    }
+    s.value[0].push_back(plain);
+    s.value[1].push_back(z);
+  }
+  return s;
+}
+
+const Transition& get(const std::vector<Transition>& all, std::string_view name) {
+  for (const Transition& t : all)
+    if (t.quantity == name) return t;
+  throw std::logic_error("no such transition");
+}
+
+TEST(Transitions, FindTheJumpByEveryReading) {
+  const std::vector<Transition> t = find_transitions(jumping(), 1, "key");
+  EXPECT_EQ(get(t, "rho_c").n, 3u);
+  EXPECT_NEAR(get(t, "rho_c").value, 0.81, 1e-4) << "the mean of three jumps crosses 3 in the middle one";
+  EXPECT_NEAR(get(t, "rho_c_single").value, 0.81, 1e-4);
+  EXPECT_NEAR(get(t, "rho_c_single").se, 0.01 / std::sqrt(3), 1e-4);
+  EXPECT_NEAR(get(t, "rho_c_plain").value, 0.82, 1e-4);
+  EXPECT_NEAR(get(t, "rho_inflection").value, 0.81, 2e-3);
+  EXPECT_GT(get(t, "rho_c").se, 0);
+}
+
+TEST(Transitions, AreTheSameEveryTime) {
+  const std::vector<Transition> a = find_transitions(jumping(), 1, "key"), b = find_transitions(jumping(), 1, "key");
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].value, b[k].value) << a[k].quantity;
+    EXPECT_EQ(a[k].se, b[k].se) << a[k].quantity;
+  }
+}
+
+TEST(Transitions, AFrameGivenTwiceDoesNoHarm) {
+  FrameSeries s = jumping();
+  s.target.insert(s.target.begin() + 50, s.target[50]);
+  for (auto& quantity : s.value)
+    for (auto& run : quantity) run.insert(run.begin() + 50, run[50]);
+  EXPECT_EQ(get(find_transitions(s, 1, "key"), "rho_c").value, get(find_transitions(jumping(), 1, "key"), "rho_c").value);
+}
+
+TEST(Transitions, NoneBelowJammingAndWithoutZ) {
+  FrameSeries s = jumping();
+  for (auto& run : s.value[1])
+    for (double& z : run) z = std::min(z, 2.0);
+  EXPECT_TRUE(std::isnan(get(find_transitions(s, 1, "key"), "rho_c").value));
+  s.quantity[1] = "other";
+  EXPECT_TRUE(find_transitions(s, 1, "key").empty());
+}
+
+}  // namespace
+}  // namespace jam
