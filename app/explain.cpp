@@ -1,10 +1,11 @@
+#include "jamscape/observe/explain.hpp"
+
 #include <fmt/format.h>
 
 #include <memory>
 
 #include "commands.hpp"
 #include "jamscape/base/nearest.hpp"
-#include "jamscape/observe/explain.hpp"
 #include "jamscape/observe/measure.hpp"
 #include "jamscape/study/study.hpp"
 

@@ -21,8 +21,9 @@ Study find_study(const std::string& name, const std::vector<std::string>& settin
   std::vector<std::string> known;
   for (const std::string_view study : builtin_studies()) known.emplace_back(study);
   const std::string near = nearest(name, known);
-  throw usage_error("there is no such file, and no built-in study of that name", name,
-                    near.empty() ? "`jamscape studies` lists the built-in studies" : fmt::format("did you mean '{}'?", near));
+  throw usage_error(
+      "there is no such file, and no built-in study of that name", name,
+      near.empty() ? "`jamscape studies` lists the built-in studies" : fmt::format("did you mean '{}'?", near));
 }
 
 }  // namespace jam::app

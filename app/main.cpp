@@ -15,7 +15,8 @@ using namespace jam;
 void check_subcommand(CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::vector<std::string> names;
-  for (const CLI::App* sub : program.get_subcommands([](const CLI::App*) { return true; })) names.push_back(sub->get_name());
+  for (const CLI::App* sub : program.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(sub->get_name());
   for (const std::string& name : names)
     if (name == argv[1]) return;
   const std::string near = nearest(argv[1], names);
@@ -58,7 +59,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "error: {}\n", error.what());
     return static_cast<int>(error.code());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n  this is a bug in jamscape; please report it with the command you ran\n", error.what());
+    fmt::print(stderr, "error: {}\n  this is a bug in jamscape; please report it with the command you ran\n",
+               error.what());
     return static_cast<int>(jam::ExitCode::bug);
   }
 }

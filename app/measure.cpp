@@ -1,3 +1,5 @@
+#include "jamscape/observe/measure.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 #include "jamscape/io/network_file.hpp"
 #include "jamscape/io/packing_csv.hpp"
 #include "jamscape/io/run_file.hpp"
-#include "jamscape/observe/measure.hpp"
 #include "jamscape/study/measure_task.hpp"
 #include "jamscape/study/results.hpp"
 #include "jamscape/topology/bins.hpp"
@@ -166,7 +167,8 @@ ExitCode measure(const MeasureArguments& a) {
 void add_measure(CLI::App& program, Action& action) {
   CLI::App* sub = program.add_subcommand("measure", "Measure stored frames, or packings and networks made elsewhere");
   auto a = std::make_shared<MeasureArguments>();
-  sub->add_option("what", a->files, "a folder of results; run.h5 files; particles.csv and contacts.csv; or network.csv")->required();
+  sub->add_option("what", a->files, "a folder of results; run.h5 files; particles.csv and contacts.csv; or network.csv")
+      ->required();
   sub->add_option("--measure,-m", a->names, "only these measures")->allow_extra_args(false);
   sub->add_option("--set", a->settings, "change an option of the measures: measure.KEY=value")->allow_extra_args(false);
   sub->add_option("--out,-o", a->out, "of files: CSV to write (default: standard output)");

@@ -136,13 +136,19 @@ void Monitor::print_json(const Totals& t) {
   const double now = samples_.back().first;
   if (now - last_json_ < json_interval && t.ended < t.tasks) return;
   last_json_ = now;
-  nlohmann::json json{{"event", "progress"},     {"done", t.ended},     {"tasks", t.tasks}, {"running", t.running},
-                      {"failed", failures_},     {"grain_steps_per_second", t.rate},
+  nlohmann::json json{{"event", "progress"},
+                      {"done", t.ended},
+                      {"tasks", t.tasks},
+                      {"running", t.running},
+                      {"failed", failures_},
+                      {"grain_steps_per_second", t.rate},
                       {"fraction", t.cost > 0 ? t.behind / t.cost : 1.0}};
   if (t.seconds_left >= 0) json["seconds_left"] = t.seconds_left;
   for (const std::size_t k : mine_)
     if (const State& s = states_[k]; s.phase == Phase::simulating && s.seen)
-      json["runs"].push_back({{"task", tasks_[k].hash}, {"step", s.step}, {"steps", tasks_[k].plan.steps},
+      json["runs"].push_back({{"task", tasks_[k].hash},
+                              {"step", s.step},
+                              {"steps", tasks_[k].plan.steps},
                               {"packing_fraction", s.packing_fraction}});
   line(json.dump());
 }

@@ -19,7 +19,8 @@ enum class Show { bar, json, nothing };
 class Monitor : public RunListener {
  public:
   /// `mine` are the tasks of this runner; `out` is where it is shown.
-  Monitor(const Study& study, const std::vector<Task>& tasks, const std::vector<std::size_t>& mine, Show show, std::FILE* out);
+  Monitor(const Study& study, const std::vector<Task>& tasks, const std::vector<std::size_t>& mine, Show show,
+          std::FILE* out);
   ~Monitor() override;
 
   void started(std::size_t task) override;

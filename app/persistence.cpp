@@ -1,3 +1,5 @@
+#include "jamscape/topology/persistence.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -6,7 +8,6 @@
 #include "commands.hpp"
 #include "jamscape/io/csv.hpp"
 #include "jamscape/io/network_file.hpp"
-#include "jamscape/topology/persistence.hpp"
 #include "normalise.hpp"
 
 namespace jam::app {
@@ -20,8 +21,8 @@ struct PersistenceArguments {
 };
 
 /// Columns i, j: the vertices of the contact that makes the point what it is: in dimension 0 the one that joins the
-/// component to an older one (an essential component: its first vertex, and -1), in dimension 1 the one that closes the loop;
-/// -1 in higher dimensions, where birth_cell counts the cliques.
+/// component to an older one (an essential component: its first vertex, and -1), in dimension 1 the one that closes the
+/// loop; -1 in higher dimensions, where birth_cell counts the cliques.
 Table diagram_table(const NamedGraph& network, const Diagram& diagram) {
   std::vector<std::int64_t> dimension, essential, birth_cell, death_cell, i, j;
   std::vector<double> birth, death;
@@ -76,7 +77,8 @@ ExitCode persistence_of_file(const PersistenceArguments& a) {
 void add_persistence(CLI::App& program, Action& action) {
   CLI::App* sub = program.add_subcommand("persistence", "Persistence diagrams of a weighted graph");
   auto a = std::make_shared<PersistenceArguments>();
-  sub->add_option("file", a->file, "CSV with the columns i, j, force (plain, .gz or .zst), or an interaction network")->required();
+  sub->add_option("file", a->file, "CSV with the columns i, j, force (plain, .gz or .zst), or an interaction network")
+      ->required();
   sub->add_option("--out,-o", a->out, "CSV to write (default: standard output)");
   sub->add_option("--max-dimension", a->max_dimension, "highest dimension of the diagrams")->check(CLI::Range(0, 8));
   sub->add_option("--triangles", a->triangles, "what becomes of three mutual contacts: fill or keep")

@@ -39,7 +39,8 @@ std::vector<Target> find_targets(const Study& study, const std::string& file) {
                       "study.targets", "--targets FILE");
   const std::string name = study.info.targets + ".targets.toml";
   const std::string_view text = builtin_file(name);
-  if (text.empty()) throw usage_error(fmt::format("there are no built-in targets '{}'", name), "study.targets", "--targets FILE");
+  if (text.empty())
+    throw usage_error(fmt::format("there are no built-in targets '{}'", name), "study.targets", "--targets FILE");
   return read_targets(text, name);
 }
 
@@ -58,9 +59,16 @@ ExitCode score(const std::string& dir, const std::string& file, bool as_json) {
   for (const Score& s : scores) {
     ++count[static_cast<std::size_t>(s.verdict)];
     if (as_json)
-      fmt::print("{}\n", nlohmann::json{{"target", s.target}, {"source", s.source}, {"systems", s.systems},
-                                        {"published", s.published}, {"ours", s.ours}, {"error", s.error}, {"n", s.n},
-                                        {"needed", s.needed}, {"verdict", verdict_name(s.verdict)}, {"note", s.note}}
+      fmt::print("{}\n", nlohmann::json{{"target", s.target},
+                                        {"source", s.source},
+                                        {"systems", s.systems},
+                                        {"published", s.published},
+                                        {"ours", s.ours},
+                                        {"error", s.error},
+                                        {"n", s.n},
+                                        {"needed", s.needed},
+                                        {"verdict", verdict_name(s.verdict)},
+                                        {"note", s.note}}
                              .dump());
     else
       fmt::print("{:15} {}\n                {}  [{}]  published {}   ours {}   runs {} of {}{}{}\n",
@@ -68,7 +76,8 @@ ExitCode score(const std::string& dir, const std::string& file, bool as_json) {
                  s.note.empty() ? "" : "   ", s.note);
   }
   if (!as_json)
-    fmt::print("\n{} pass, {} fail, {} known deviations, {} with too few runs\n", count[0], count[1], count[2], count[3]);
+    fmt::print("\n{} pass, {} fail, {} known deviations, {} with too few runs\n", count[0], count[1], count[2],
+               count[3]);
   return ExitCode::done;
 }
 
@@ -77,7 +86,8 @@ ExitCode verify(const std::string& dir, const std::string& hash, bool all, int j
   const std::vector<Task> tasks = list_tasks(study);
   std::vector<std::size_t> chosen;
   for (const std::size_t k : order_tasks(tasks, {}))
-    if (has_all_frames(TaskFolder(dir, tasks[k].hash), tasks[k].plan) && (hash.empty() || tasks[k].hash.starts_with(hash)))
+    if (has_all_frames(TaskFolder(dir, tasks[k].hash), tasks[k].plan) &&
+        (hash.empty() || tasks[k].hash.starts_with(hash)))
       chosen.push_back(k);
   if (chosen.empty())
     throw data_error(hash.empty() ? "no run is done yet" : fmt::format("no run named '{}' is done", hash), dir,

@@ -1,3 +1,5 @@
+#include "jamscape/study/run.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -12,7 +14,6 @@
 #include "jamscape/base/threads.hpp"
 #include "jamscape/study/measure_task.hpp"
 #include "jamscape/study/results.hpp"
-#include "jamscape/study/run.hpp"
 #include "monitor.hpp"
 #include "write_results.hpp"
 
@@ -41,8 +42,12 @@ ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunAr
     const std::string& system = study.systems[t.system].name;
     cost += t.cost();
     if (a.json)
-      list.push_back({{"task", t.hash}, {"system", system}, {"realisation", t.realisation}, {"steps", t.plan.steps},
-                      {"grains", t.plan.bodies}, {"frames", t.plan.frames.size()}});
+      list.push_back({{"task", t.hash},
+                      {"system", system},
+                      {"realisation", t.realisation},
+                      {"steps", t.plan.steps},
+                      {"grains", t.plan.bodies},
+                      {"frames", t.plan.frames.size()}});
     else
       fmt::print("{}  {:24}  realisation {:3}  {:6} grains  {:10} steps  {:4} frames\n", t.hash, system, t.realisation,
                  t.plan.bodies, t.plan.steps, t.plan.frames.size());
@@ -61,7 +66,9 @@ ExitCode run(const RunArguments& a) {
   std::error_code ignored;
   const bool resume = fs::is_directory(a.study, ignored);
   const Study study = find_study(resume ? (fs::path(a.study) / "study.toml").string() : a.study, a.settings);
-  const fs::path out = !a.out.empty() ? fs::path(a.out) : resume ? fs::path(a.study) : fs::path("results") / study.info.name;
+  const fs::path out = !a.out.empty() ? fs::path(a.out)
+                       : resume       ? fs::path(a.study)
+                                      : fs::path("results") / study.info.name;
   RunOptions options;
   options.jobs = a.jobs > 0 ? a.jobs : usable_cores();
   options.shard = read_shard(a.shard);
@@ -88,8 +95,8 @@ ExitCode run(const RunArguments& a) {
     return ExitCode::interrupted;
   }
   if (result.failed > 0)
-    fmt::print(stderr, "{} of {} runs failed; `jamscape status {}` says why\n", result.failed, result.failed + result.done,
-               out.string());
+    fmt::print(stderr, "{} of {} runs failed; `jamscape status {}` says why\n", result.failed,
+               result.failed + result.done, out.string());
   if (!result.complete) {
     fmt::print(stderr, "this share is done; tables and report are written when the last share ends\n");
     return result.failed > 0 ? ExitCode::some_failed : ExitCode::done;
@@ -103,12 +110,14 @@ ExitCode run(const RunArguments& a) {
 void add_run(CLI::App& program, Action& action) {
   CLI::App* sub = program.add_subcommand("run", "Simulate and measure a study; run again, it goes on where it stopped");
   auto a = std::make_shared<RunArguments>();
-  sub->add_option("study", a->study, "study file, name of a built-in study, or a folder of results to go on with")->required();
+  sub->add_option("study", a->study, "study file, name of a built-in study, or a folder of results to go on with")
+      ->required();
   sub->add_option("--out,-o", a->out, "folder of results (default: results/NAME)");
   sub->add_option("--jobs,-j", a->jobs, "simulations at a time (default: one a core)")->check(CLI::Range(1, 4096));
   sub->add_option("--shard", a->shard, "do only the i-th of n shares of the study: i/n");
   sub->add_option("--set", a->settings, "change an option: key=value, may be repeated")->allow_extra_args(false);
-  sub->add_option("--checkpoint", a->checkpoint, "seconds between checkpoints of a simulation")->check(CLI::Range(0.0, 1e6));
+  sub->add_option("--checkpoint", a->checkpoint, "seconds between checkpoints of a simulation")
+      ->check(CLI::Range(0.0, 1e6));
   sub->add_flag("--dry-run", a->dry_run, "list the simulations and what they cost; run nothing");
   sub->add_flag("--json", a->json, "progress and summary as lines of JSON on standard output");
   sub->add_flag("--quiet,-q", a->quiet, "say nothing but errors");

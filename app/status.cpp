@@ -56,8 +56,11 @@ ExitCode status(const std::string& dir, bool as_json) {
     const TaskFolder folder(dir, t.hash);
     const bool busy = running(folder), complete = has_all_frames(folder, t.plan);
     const std::string failure = busy || complete ? "" : folder.failure();
-    const std::string state = busy ? "running" : complete ? "done" : !failure.empty() ? "failed"
-                              : folder.state() == TaskState::waiting ? "waiting" : "interrupted";
+    const std::string state = busy                                   ? "running"
+                              : complete                             ? "done"
+                              : !failure.empty()                     ? "failed"
+                              : folder.state() == TaskState::waiting ? "waiting"
+                                                                     : "interrupted";
     const std::size_t taken = complete ? t.plan.frames.size() : frames_taken(folder);
     done += complete, at_work += busy, failed += state == "failed";
     if (!complete && !t.plan.frames.empty())
@@ -65,8 +68,13 @@ ExitCode status(const std::string& dir, bool as_json) {
     if (const double r = measured_rate(folder); r > 0) rate += r, rates += 1;
     const std::string& system = study.systems[t.system].name;
     if (as_json)
-      list.push_back({{"task", t.hash}, {"system", system}, {"realisation", t.realisation}, {"state", state},
-                      {"frames", taken}, {"frames_planned", t.plan.frames.size()}, {"reason", failure}});
+      list.push_back({{"task", t.hash},
+                      {"system", system},
+                      {"realisation", t.realisation},
+                      {"state", state},
+                      {"frames", taken},
+                      {"frames_planned", t.plan.frames.size()},
+                      {"reason", failure}});
     else
       fmt::print("{}  {:24}  realisation {:3}  {:11}  {:4}/{} frames{}\n", t.hash, system, t.realisation, state, taken,
                  t.plan.frames.size(), failure.empty() ? "" : "\n    " + failure);
@@ -89,7 +97,8 @@ ExitCode status(const std::string& dir, bool as_json) {
 }  // namespace
 
 void add_status(CLI::App& program, Action& action) {
-  CLI::App* sub = program.add_subcommand("status", "What is done, running and left of a study, and how long it will take");
+  CLI::App* sub =
+      program.add_subcommand("status", "What is done, running and left of a study, and how long it will take");
   auto dir = std::make_shared<std::string>();
   auto as_json = std::make_shared<bool>(false);
   sub->add_option("dir", *dir, "folder of results")->required();

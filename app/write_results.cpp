@@ -28,7 +28,8 @@ const Transition* find(const std::vector<Transition>& transitions, std::string_v
 void print_summary(const Study& study, const std::vector<std::vector<Transition>>& transitions) {
   std::size_t width = 6;
   for (const System& s : study.systems) width = std::max(width, s.name.size());
-  fmt::print("{:{}}  runs  rho_c (mean Z = 3)   rho_c, Z of grains with 2 contacts   inflection of Z\n", "system", width);
+  fmt::print("{:{}}  runs  rho_c (mean Z = 3)   rho_c, Z of grains with 2 contacts   inflection of Z\n", "system",
+             width);
   for (std::size_t s = 0; s < study.systems.size(); ++s) {
     const Transition *c = find(transitions[s], "rho_c"), *multi = find(transitions[s], "rho_c_multi"),
                      *bend = find(transitions[s], "rho_inflection");
@@ -40,7 +41,8 @@ void print_summary(const Study& study, const std::vector<std::vector<Transition>
   }
 }
 
-void print_json(const Study& study, const std::vector<std::vector<Transition>>& transitions, const std::string& report) {
+void print_json(const Study& study, const std::vector<std::vector<Transition>>& transitions,
+                const std::string& report) {
   nlohmann::json json{{"event", "summary"}, {"report", report}, {"systems", nlohmann::json::array()}};
   for (std::size_t s = 0; s < study.systems.size(); ++s) {
     nlohmann::json system{{"system", study.systems[s].name}};
@@ -53,7 +55,8 @@ void print_json(const Study& study, const std::vector<std::vector<Transition>>& 
 
 }  // namespace
 
-void write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results, Summary summary) {
+void write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results,
+                   Summary summary) {
   const FileLock lock = FileLock::lock(results / "lock.tables");  // shards may end at the same moment
   const std::vector<DoneTask> done = find_done(tasks, results, chosen_measures(study));
   write_tables(study, done, results);

@@ -12,6 +12,7 @@ namespace jam::app {
 enum class Summary { text, json, none };
 
 /// Writes DIR/tables, DIR/ensemble and DIR/report.html and prints what was found.
-void write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results, Summary summary);
+void write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results,
+                   Summary summary);
 
 }  // namespace jam::app

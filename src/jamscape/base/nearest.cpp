@@ -29,14 +29,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string nearest(std::string_view typed, const std::vector<std::string>& known) {
   std::string best;
-  std::size_t best_distance = std::string::npos;
+  std::size_t best_score = std::string::npos;
+  const auto offer = [&](const std::string& name, std::size_t score) {
+    if (score < best_score) best = name, best_score = score;
+  };
   for (const std::string& name : known) {
-    const std::size_t whole = edit_distance(typed, name), allowed = 1 + std::max(typed.size(), name.size()) / 4;
-    if (whole <= allowed && whole < best_distance) best = name, best_distance = whole;
+    const std::size_t whole = edit_distance(typed, name);
+    if (whole <= 1 + std::max(typed.size(), name.size()) / 4) offer(name, 2 * whole);
     if (name.find('.') == std::string::npos) continue;
-    const std::string_view part = last_part(name), meant = last_part(typed);
-    const std::size_t apart = edit_distance(meant, part);
-    if (apart <= 1 + part.size() / 4 && apart + 1 < best_distance) best = name, best_distance = apart + 1;
+    const std::string_view part = last_part(name);
+    const std::size_t apart = edit_distance(last_part(typed), part);
+    if (apart <= 1 + part.size() / 4) offer(name, 2 * apart + 3);  // as if the group were one and a half letters off
   }
   return best;
 }

@@ -29,8 +29,9 @@ std::string name_of(const Written& written) {
 }
 
 [[noreturn]] void throw_wrong_type(const Option& option, const Written& written) {
-  throw usage_error(fmt::format("'{}' is {}, where {} is expected", option.key, name_of(written), describe_type(option)),
-                    written.place, fmt::format("jamscape explain {}", option.key));
+  throw usage_error(
+      fmt::format("'{}' is {}, where {} is expected", option.key, name_of(written), describe_type(option)),
+      written.place, fmt::format("jamscape explain {}", option.key));
 }
 
 void check_range(const Option& option, double value, const std::string& place) {
@@ -64,7 +65,9 @@ void assign(const Option& option, const Written& written) {
     if (const T* value = std::get_if<T>(&written.value)) return *value;
     throw_wrong_type(option, written);
   };
-  const auto items = [&]() -> const std::vector<Written>& { return wanted(static_cast<std::vector<Written>*>(nullptr)); };
+  const auto items = [&]() -> const std::vector<Written>& {
+    return wanted(static_cast<std::vector<Written>*>(nullptr));
+  };
   std::visit(Overload{[&](bool* p) { *p = wanted(p); },
                       [&](std::int64_t* p) {
                         const std::int64_t value = wanted(p);
@@ -91,11 +94,11 @@ void assign(const Option& option, const Written& written) {
                         const auto at = std::find(e.names.begin(), e.names.end(), text);
                         if (at == e.names.end()) {
                           const std::string near = nearest(text, {e.names.begin(), e.names.end()});
-                          throw usage_error(fmt::format("'{}' cannot be \"{}\": it is {}", option.key, text,
-                                                        describe_type(option)),
-                                            written.place,
-                                            near.empty() ? fmt::format("jamscape explain {}", option.key)
-                                                         : fmt::format("{} = \"{}\"", option.key, near));
+                          throw usage_error(
+                              fmt::format("'{}' cannot be \"{}\": it is {}", option.key, text, describe_type(option)),
+                              written.place,
+                              near.empty() ? fmt::format("jamscape explain {}", option.key)
+                                           : fmt::format("{} = \"{}\"", option.key, near));
                         }
                         e.set(static_cast<std::size_t>(at - e.names.begin()));
                       }},
@@ -144,19 +147,17 @@ std::string print_value(const Option& option) {
 
 std::string describe_type(const Option& option) {
   const bool with_unit = !option.meta.unit.empty();
-  return std::visit(Overload{[](bool*) { return std::string("true or false"); },
-                             [](std::int64_t*) { return std::string("an integer"); },
-                             [&](double*) {
-                               return with_unit ? fmt::format("a number (in {})", option.meta.unit)
-                                                : std::string("a number");
-                             },
-                             [](std::string*) { return std::string("text in quotes"); },
-                             [](std::vector<double>*) { return std::string("a list of numbers"); },
-                             [](std::vector<std::string>*) { return std::string("a list of texts"); },
-                             [](const EnumTarget& e) {
-                               return fmt::format("one of \"{}\"", fmt::join(e.names, "\", \""));
-                             }},
-                    option.target);
+  return std::visit(
+      Overload{[](bool*) { return std::string("true or false"); },
+               [](std::int64_t*) { return std::string("an integer"); },
+               [&](double*) {
+                 return with_unit ? fmt::format("a number (in {})", option.meta.unit) : std::string("a number");
+               },
+               [](std::string*) { return std::string("text in quotes"); },
+               [](std::vector<double>*) { return std::string("a list of numbers"); },
+               [](std::vector<std::string>*) { return std::string("a list of texts"); },
+               [](const EnumTarget& e) { return fmt::format("one of \"{}\"", fmt::join(e.names, "\", \"")); }},
+      option.target);
 }
 
 std::string describe_range(const OptionMeta& meta) {

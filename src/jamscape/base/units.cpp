@@ -19,7 +19,7 @@ std::string without_blanks(std::string_view text) {
 }
 
 constexpr std::array<std::string_view, 26> si_units = {
-    "m",   "cm",  "mm",  "um",   "s",    "ms",    "us",  "kg",  "g",   "mg",     "N",       "mN",     "Pa",
+    "m",   "cm",  "mm",  "um",  "s",    "ms",   "us",    "kg",  "g",       "mg",     "N",      "mN", "Pa",
     "kPa", "MPa", "GPa", "m/s", "cm/s", "mm/s", "m/s^2", "N/m", "N/m^1.5", "kg/m^3", "g/cm^3", "Hz", "rad/s"};
 
 }  // namespace
@@ -45,7 +45,8 @@ double read_quantity(std::string_view text, std::string_view key, const OptionMe
   const bool si = std::find(si_units.begin(), si_units.end(), unit) != si_units.end();
   throw usage_error(fmt::format("'{}' cannot be in '{}': {}", key, unit,
                                 si ? "this study is in scaled units" : "that is no unit of this option"),
-                    place, fmt::format("give it in {}, as a bare number or as \"{} {}\"", meta.unit, number, meta.unit));
+                    place,
+                    fmt::format("give it in {}, as a bare number or as \"{} {}\"", meta.unit, number, meta.unit));
 }
 
 }  // namespace jam

@@ -1,4 +1,5 @@
-// The measured rows of tasks that are done, as numbers: what tables, ensemble means, transitions and scores are made of.
+// The measured rows of tasks that are done, as numbers: what tables, ensemble means, transitions and scores are made
+// of.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +28,8 @@ std::vector<DoneTask> find_done(const std::vector<Task>& tasks, const std::files
 
 /// Quantities of one row a frame, of all realisations of one system.
 struct FrameSeries {
-  std::vector<double> target;                           ///< planned packing fraction of each frame
-  std::vector<std::string> quantity;                    ///< packing_fraction, packing_fraction_plain, then the measures' columns
+  std::vector<double> target;         ///< planned packing fraction of each frame
+  std::vector<std::string> quantity;  ///< packing_fraction, packing_fraction_plain, then the measures' columns
   std::vector<std::vector<std::vector<double>>> value;  ///< [quantity][realisation][frame]
   std::size_t realisations = 0;
 

@@ -27,8 +27,8 @@ std::string frames_text(const Study& study, const std::vector<std::vector<const 
       for (std::size_t q = 0; q < series.quantity.size(); ++q) {
         std::vector<double> values;
         for (const std::vector<double>& run : series.value[q]) values.push_back(run[f]);
-        text += fmt::format("{}{},{},{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f, series.target[f],
-                            series.quantity[q], print_moments(std::move(values)));
+        text += fmt::format("{}{},{},{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f,
+                            series.target[f], series.quantity[q], print_moments(std::move(values)));
       }
   }
   return text;
@@ -57,9 +57,8 @@ std::string measure_text(const Study& study, const std::vector<std::vector<const
           for (std::size_t q = 0; q < bin.size(); ++q) bin[q].push_back(row[abscissae + q]);
         }
       }
-      const std::string leading =
-          fmt::format("{}{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f,
-                      systems[s].front()->task->plan.frames[f].packing_fraction);
+      const std::string leading = fmt::format("{}{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f,
+                                              systems[s].front()->task->plan.frames[f].packing_fraction);
       for (const auto& [at, quantities] : bins)
         for (std::size_t q = 0; q < quantities.size(); ++q) {
           text += leading;

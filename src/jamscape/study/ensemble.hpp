@@ -1,6 +1,7 @@
 // DIR/ensemble/*.csv: means over the realisations of a system, in long form:
 //
-//   system, <options that differ between systems>, frame, packing_fraction_target, [abscissae], quantity, n, mean, sd, se
+//   system, <options that differ between systems>, frame, packing_fraction_target, [abscissae], quantity, n, mean, sd,
+//   se
 //
 // for frames.csv (one row a frame, all its quantities) and for every averaged measure with several rows a frame. Values
 // that are not finite are left out of n.

@@ -41,8 +41,8 @@ TaskKey task_key(const SystemOptions& system, std::uint64_t seed, std::uint64_t 
 }
 
 std::string task_hash(const SystemOptions& system, std::uint64_t seed, std::uint64_t realisation) {
-  return short_hash(fmt::format("jamscape task\nphysics_revision = {}\nseed = {}\nrealisation = {}\n{}", physics_revision,
-                                seed, realisation, physics_text(system)));
+  return short_hash(fmt::format("jamscape task\nphysics_revision = {}\nseed = {}\nrealisation = {}\n{}",
+                                physics_revision, seed, realisation, physics_text(system)));
 }
 
 }  // namespace jam

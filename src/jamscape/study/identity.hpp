@@ -1,7 +1,8 @@
 // What makes two simulations the same. A task is named by what determines its numbers and nothing else:
 //
 //   physics text   every option of the system that is not at its default, as "key = value" lines; stages by number;
-//                  without the names of stages and systems and without the frames wanted (taking a frame changes no bit)
+//                  without the names of stages and systems and without the frames wanted (taking a frame changes no
+//                  bit)
 //   physics key    hash of that text; it names the system in the random numbers, so that renaming or adding systems
 //                  leaves the numbers of all others as they are
 //   task hash      hash of physics text, seed, realisation and physics revision; the name of the folder

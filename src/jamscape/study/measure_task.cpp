@@ -25,7 +25,9 @@ std::string measure_key(const Measure& measure, MeasureOptions options, const Ru
   return short_hash(text);
 }
 
-fs::path table_file(const TaskFolder& folder, const Measure& measure) { return folder.tables() / (measure.name + ".csv"); }
+fs::path table_file(const TaskFolder& folder, const Measure& measure) {
+  return folder.tables() / (measure.name + ".csv");
+}
 
 nlohmann::json read_keys(const TaskFolder& folder) {
   std::error_code ignored;
@@ -92,7 +94,8 @@ std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measu
   std::vector<const Measure*> missing;
   for (const Measure* m : measures) {
     std::error_code ignored;
-    const bool cached = fs::exists(table_file(folder, *m), ignored) && keys.value(m->name, "") == measure_key(*m, options, run);
+    const bool cached =
+        fs::exists(table_file(folder, *m), ignored) && keys.value(m->name, "") == measure_key(*m, options, run);
     if (!cached || what == Remeasure::all) missing.push_back(m);
   }
   if (missing.empty()) return 0;
@@ -123,7 +126,8 @@ bool has_rows(const TaskFolder& folder, const std::vector<const Measure*>& measu
   return there(&instant_measure()) && std::all_of(measures.begin(), measures.end(), there);
 }
 
-void measure_tasks(const Study& study, const std::vector<Task>& tasks, const fs::path& results, int jobs, Remeasure what) {
+void measure_tasks(const Study& study, const std::vector<Task>& tasks, const fs::path& results, int jobs,
+                   Remeasure what) {
   const std::vector<const Measure*> chosen = chosen_measures(study);
   const std::vector<std::size_t> order = order_tasks(tasks, {});
   run_jobs(order.size(), jobs, [&](std::size_t k) {
@@ -165,7 +169,8 @@ std::vector<double> read_numbers(std::string_view line, const std::string& file)
     double value = 0;
     const auto [next, error] = std::from_chars(at, end, value);
     if (error != std::errc{} || (next != end && *next != ','))
-      throw data_error(fmt::format("\"{}\" is no line of numbers", line), file, "remove the file; it will be made anew");
+      throw data_error(fmt::format("\"{}\" is no line of numbers", line), file,
+                       "remove the file; it will be made anew");
     numbers.push_back(value);
     if (next == end) return numbers;
     at = next + 1;

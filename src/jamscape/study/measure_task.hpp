@@ -1,5 +1,6 @@
-// The rows a task adds to the tables, kept in its folder: tables/<measure>.csv with the column `frame` (index in run.h5)
-// in front. A file is made anew only when it is missing or when what determines it has changed (tables/keys.json).
+// The rows a task adds to the tables, kept in its folder: tables/<measure>.csv with the column `frame` (index in
+// run.h5) in front. A file is made anew only when it is missing or when what determines it has changed
+// (tables/keys.json).
 #pragma once
 
 #include <functional>

@@ -37,7 +37,8 @@ Study study_of_results(const fs::path& results) {
 void check_results(const fs::path& results, const Study& study) {
   std::error_code error;
   if (!fs::exists(results, error)) return;
-  if (!fs::is_directory(results, error)) throw usage_error("this is a file, not a folder", results.string(), "--out DIR");
+  if (!fs::is_directory(results, error))
+    throw usage_error("this is a file, not a folder", results.string(), "--out DIR");
   if (!fs::exists(results / "study.toml", error)) {
     for (const auto& entry : fs::directory_iterator(results, error))
       if (!is_first_file(entry.path().filename().string()))
@@ -47,8 +48,9 @@ void check_results(const fs::path& results, const Study& study) {
   }
   const Study old = study_of_results(results);
   if (old.info.name != study.info.name)
-    throw usage_error(fmt::format("the folder holds results of the study '{}', not of '{}'", old.info.name, study.info.name),
-                      results.string(), "choose another folder with --out");
+    throw usage_error(
+        fmt::format("the folder holds results of the study '{}', not of '{}'", old.info.name, study.info.name),
+        results.string(), "choose another folder with --out");
   if (old.info.seed != study.info.seed)
     throw usage_error(fmt::format("the folder holds results of seed {}, not of {}", old.info.seed, study.info.seed),
                       results.string(), other_folder(fmt::format("--set study.seed={}", old.info.seed)));
@@ -57,19 +59,20 @@ void check_results(const fs::path& results, const Study& study) {
       if (before.name != system.name || physics_key(before.options) == physics_key(system.options)) continue;
       const std::vector<std::string> there = differing_options(before.options, system.options),
                                      here = differing_options(system.options, before.options);
-      throw usage_error(fmt::format("the folder holds results of another system '{}': {} there, {} here", system.name,
-                                    there.empty() ? "other stages" : there.front(),
-                                    here.empty() ? "other stages" : here.front()),
-                        results.string(), other_folder("give the system another name"));
+      throw usage_error(
+          fmt::format("the folder holds results of another system '{}': {} there, {} here", system.name,
+                      there.empty() ? "other stages" : there.front(), here.empty() ? "other stages" : here.front()),
+          results.string(), other_folder("give the system another name"));
     }
 }
 
 void write_results_study(const fs::path& results, const Study& study) {
   make_folder(results);
   const FileLock lock = FileLock::lock(results / "lock.study");
-  write_text(results / "study.toml",
-             print_study(study) + fmt::format("\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\n",
-                                              print_text(program_version()), print_text(program_commit()), physics_revision));
+  write_text(
+      results / "study.toml",
+      print_study(study) + fmt::format("\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\n",
+                                       print_text(program_version()), print_text(program_commit()), physics_revision));
   make_folder(results / "tasks");
 }
 

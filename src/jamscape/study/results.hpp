@@ -22,7 +22,8 @@ namespace jam {
 Study study_of_results(const std::filesystem::path& results);
 
 /// Throws a usage error unless the folder is absent, empty, or holds results of this study: the same name and seed, and
-/// the same physics in systems of the same name. Realisations, systems, measures and frames may differ. Touches nothing.
+/// the same physics in systems of the same name. Realisations, systems, measures and frames may differ. Touches
+/// nothing.
 void check_results(const std::filesystem::path& results, const Study& study);
 
 /// Makes the folder and writes study.toml.

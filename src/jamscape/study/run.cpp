@@ -28,7 +28,11 @@ class Runner {
  public:
   Runner(const Study& study, const std::vector<Task>& tasks, const fs::path& results, const RunOptions& options,
          RunListener& listener)
-      : study_(study), tasks_(tasks), results_(results), options_(options), listener_(listener),
+      : study_(study),
+        tasks_(tasks),
+        results_(results),
+        options_(options),
+        listener_(listener),
         measures_(chosen_measures(study)) {}
 
   RunResult run() {

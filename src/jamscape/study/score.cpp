@@ -36,9 +36,8 @@ bool fits(const System& system, const Side& side) {
   SystemOptions options = system.options;
   const std::vector<Option> list = system_options(options);
   return std::all_of(side.where.begin(), side.where.end(), [&](const auto& condition) {
-    return std::any_of(list.begin(), list.end(), [&](const Option& o) {
-      return o.key == condition.first && same_value(o, condition.second);
-    });
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Option& o) { return o.key == condition.first && same_value(o, condition.second); });
   });
 }
 
@@ -53,7 +52,10 @@ Reading missing(std::string problem) { return {{0, none, none, none}, std::move(
 class Scorer {
  public:
   Scorer(const Study& study, const std::vector<DoneTask>& done)
-      : study_(study), measures_(chosen_measures(study)), done_(by_system(study, done)), series_(study.systems.size()),
+      : study_(study),
+        measures_(chosen_measures(study)),
+        done_(by_system(study, done)),
+        series_(study.systems.size()),
         transitions_(study.systems.size()) {}
 
   Reading read(const Side& side, std::size_t system) {
@@ -92,7 +94,8 @@ class Scorer {
     double offset = 0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), offset);
     if (error != std::errc{} || end != rest.data() + rest.size())
-      throw usage_error(fmt::format("'{}' is no packing fraction", at), "targets", "a number, max, min, rho_c or rho_c+0.02");
+      throw usage_error(fmt::format("'{}' is no packing fraction", at), "targets",
+                        "a number, max, min, rho_c or rho_c+0.02");
     if (!std::isfinite(base)) return std::nullopt;
     return base + offset;
   }
@@ -129,11 +132,13 @@ class Scorer {
 
   Reading read_rows(const Side& side, std::size_t system, std::size_t dot) {
     const std::string name = side.quantity.substr(0, dot), column = side.quantity.substr(dot + 1);
-    const auto measure = std::find_if(measures_.begin(), measures_.end(), [&](const Measure* m) { return m->name == name; });
+    const auto measure =
+        std::find_if(measures_.begin(), measures_.end(), [&](const Measure* m) { return m->name == name; });
     if (measure == measures_.end()) return missing(fmt::format("'{}' was not measured", name));
     std::size_t c = 0;
     while (c < (*measure)->columns.size() && (*measure)->columns[c].name != column) ++c;
-    if (c == (*measure)->columns.size()) throw usage_error(fmt::format("'{}' has no column '{}'", name, column), "targets");
+    if (c == (*measure)->columns.size())
+      throw usage_error(fmt::format("'{}' has no column '{}'", name, column), "targets");
     const std::optional<double> at = fraction(side.at, system);
     if (!at) return missing("rho_c is not reached");
     std::vector<double> values;
@@ -169,8 +174,16 @@ std::string print_side(const Side& side) {
 }
 
 Score judge(const Target& target, const Reading& left, const Reading& right, std::string systems) {
-  Score score{target.name, target.source, std::move(systems), {}, none, none,
-              std::min(left.moments.n, right.moments.n), target.realisations, Verdict::insufficient, {}};
+  Score score{target.name,
+              target.source,
+              std::move(systems),
+              {},
+              none,
+              none,
+              std::min(left.moments.n, right.moments.n),
+              target.realisations,
+              Verdict::insufficient,
+              {}};
   bool agrees = false;
   if (target.is_value()) {
     score.published = fmt::format("{} +- {}", target.right.value, target.tolerance);
@@ -211,7 +224,8 @@ std::string_view verdict_name(Verdict verdict) {
   return "";
 }
 
-std::vector<Score> score_targets(const std::vector<Target>& targets, const Study& study, const std::vector<DoneTask>& done) {
+std::vector<Score> score_targets(const std::vector<Target>& targets, const Study& study,
+                                 const std::vector<DoneTask>& done) {
   Scorer scorer(study, done);
   std::vector<Score> scores;
   for (const Target& target : targets) {

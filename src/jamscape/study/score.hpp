@@ -24,11 +24,12 @@ struct Score {
   std::size_t n = 0;      ///< realisations behind it, of the side that has fewer
   std::int64_t needed = 0;
   Verdict verdict = Verdict::insufficient;
-  std::string note;       ///< reason of a known deviation, or what is missing
+  std::string note;  ///< reason of a known deviation, or what is missing
 };
 
 /// A value passes within its tolerance; an order when left exceeds right by more than two standard errors. Fewer
 /// realisations than needed: insufficient. A known deviation is never a pass. `done` have been measured.
-std::vector<Score> score_targets(const std::vector<Target>& targets, const Study& study, const std::vector<DoneTask>& done);
+std::vector<Score> score_targets(const std::vector<Target>& targets, const Study& study,
+                                 const std::vector<DoneTask>& done);
 
 }  // namespace jam

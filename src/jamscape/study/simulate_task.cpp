@@ -41,7 +41,8 @@ std::optional<Resume> find_checkpoint(const Task& task, const TaskFolder& folder
     Resume resume{read_archive(folder.checkpoint()), 0};
     const auto done = resume.state.extract(frames_done_entry);
     const auto plan = resume.state.extract(plan_entry);
-    if (done.empty() || plan.empty() || std::get<std::string>(plan.mapped()) != plan_key(task.plan)) return std::nullopt;
+    if (done.empty() || plan.empty() || std::get<std::string>(plan.mapped()) != plan_key(task.plan))
+      return std::nullopt;
     resume.frames_done = static_cast<std::size_t>(std::get<std::vector<std::int64_t>>(done.mapped()).at(0));
     for (std::size_t k = 0; k < resume.frames_done; ++k)
       if (!fs::exists(folder.frame(k), ignored)) return std::nullopt;
@@ -79,7 +80,8 @@ Outcome simulate_from(const Study& study, const Task& task, const TaskFolder& fo
 void assemble(const Study& study, const Task& task, const TaskFolder& folder) {
   std::vector<fs::path> files;
   for (std::size_t k = 0; k < task.plan.frames.size(); ++k) files.push_back(folder.frame(k));
-  const Provenance provenance{task_text(study, task), std::string(program_version()),
+  const Provenance provenance{task_text(study, task),
+                              std::string(program_version()),
                               {{"commit", std::string(program_commit())},
                                {"hash", task.hash},
                                {"physics_revision", fmt::format("{}", physics_revision)},
@@ -96,9 +98,10 @@ std::string task_text(const Study& study, const Task& task) {
   one.base = study.systems[task.system].options;
   one.systems = {{task.hash, one.base, {}}};
   return print_study(one) +
-         fmt::format("\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\nphysics_key = {}\nrealisation = {}\n",
-                     print_text(program_version()), print_text(program_commit()), physics_revision,
-                     print_text(task.key.system), task.realisation);
+         fmt::format(
+             "\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\nphysics_key = {}\nrealisation = {}\n",
+             print_text(program_version()), print_text(program_commit()), physics_revision, print_text(task.key.system),
+             task.realisation);
 }
 
 Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks) {

@@ -4,7 +4,6 @@
 
 #include <optional>
 
-
 namespace jam {
 namespace {
 
@@ -56,7 +55,8 @@ std::string stage_name(const SystemOptions& system, std::size_t index) {
 std::vector<Option> system_options(SystemOptions& system) {
   std::vector<Option> options = options_of(system);
   for (std::size_t k = 0; k < system.stages.size(); ++k)
-    for (Option& o : options_of(system.stages[k], "stage." + stage_name(system, k) + ".")) options.push_back(std::move(o));
+    for (Option& o : options_of(system.stages[k], "stage." + stage_name(system, k) + "."))
+      options.push_back(std::move(o));
   return options;
 }
 

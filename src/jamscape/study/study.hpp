@@ -47,9 +47,12 @@ struct ReportOptions {
 
   template <class V>
   void describe(V& v) {
-    v.option("pictures", pictures,
-             {.text = "packing fractions whose force networks are pictured (the nearest frames); empty: a few, evenly spaced",
-              .min = 0, .max = 2});
+    v.option(
+        "pictures", pictures,
+        {.text =
+             "packing fractions whose force networks are pictured (the nearest frames); empty: a few, evenly spaced",
+         .min = 0,
+         .max = 2});
   }
 };
 

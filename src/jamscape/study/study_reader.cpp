@@ -171,8 +171,9 @@ class StudyReader {
     }
     for (const Leaf& setting : settings_) {
       if (overridden.contains(setting.key))
-        throw usage_error(fmt::format("'{}' would have no effect: the systems of this study set it themselves", setting.key),
-                          setting.place, fmt::format("--set system.NAME.{}=...", setting.key));
+        throw usage_error(
+            fmt::format("'{}' would have no effect: the systems of this study set it themselves", setting.key),
+            setting.place, fmt::format("--set system.NAME.{}=...", setting.key));
       if (setting.key.starts_with("system.")) set_in_system(setting);
     }
   }
@@ -208,15 +209,15 @@ class StudyReader {
   }
 
   void check() {
-    if (study_.info.name.empty())
-      throw usage_error("the study has no name", file_, "name = \"...\" below [study]");
+    if (study_.info.name.empty()) throw usage_error("the study has no name", file_, "name = \"...\" below [study]");
     check_name(study_.info.name, "_.+-", "study", places_.contains("study.name") ? places_["study.name"] : file_);
     std::set<std::string> names;
     for (const System& system : study_.systems) {
       const std::string place = system.places.contains("name") ? system.places.at("name") : file_;
       check_name(system.name, "_.=+-", "system", place);
       if (!names.insert(system.name).second)
-        throw usage_error(fmt::format("two systems are named '{}'", system.name), place, "give one of them another name");
+        throw usage_error(fmt::format("two systems are named '{}'", system.name), place,
+                          "give one of them another name");
       if (system.options.stages.empty())
         throw usage_error(fmt::format("the system '{}' has no stages, so nothing would happen", system.name), file_,
                           "add a [[stage]]; `jamscape studies quickstart` shows one");

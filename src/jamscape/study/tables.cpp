@@ -47,10 +47,10 @@ std::vector<LedTask> lead(const Study& study, const std::vector<DoneTask>& done,
     for (std::size_t f = 0; f < d.stored.size(); ++f) {
       const std::string& instant = instants.lines.at(d.stored[f]).at(0);
       const std::size_t time = instant.find(',') + 1, fraction = instant.find(',', time);
-      t.leading.push_back(fmt::format("{},{}{},{},{},{},{}{}", csv_field(study.systems[task.system].name), task.realisation,
-                                      varied.of_system[task.system], f, csv_field(task.plan.frames[f].stage),
-                                      instant.substr(0, fraction), task.plan.frames[f].packing_fraction,
-                                      instant.substr(fraction)));
+      t.leading.push_back(fmt::format("{},{}{},{},{},{},{}{}", csv_field(study.systems[task.system].name),
+                                      task.realisation, varied.of_system[task.system], f,
+                                      csv_field(task.plan.frames[f].stage), instant.substr(0, fraction),
+                                      task.plan.frames[f].packing_fraction, instant.substr(fraction)));
     }
     led.push_back(std::move(t));
   }

@@ -3,8 +3,8 @@
 //   system, realisation, <options that differ between systems>, frame, stage, step, time,
 //   packing_fraction_target, packing_fraction, packing_fraction_plain
 //
-// then the measure's. Measures of one row a frame share `frames.csv`; the others have a file of their own. `frame` is the
-// index in the plan, `realisation` counts from 0. Only tasks that are done appear, in the order of the study.
+// then the measure's. Measures of one row a frame share `frames.csv`; the others have a file of their own. `frame` is
+// the index in the plan, `realisation` counts from 0. Only tasks that are done appear, in the order of the study.
 #pragma once
 
 #include <filesystem>

@@ -64,7 +64,8 @@ std::vector<Target> read_targets(std::string_view text, const std::string& file)
   for (const auto& [key, node] : document) {
     const std::string name(key.str());
     if (name != "target") throw_unknown_key(name, {"target"}, place_of(file, key.source().begin));
-    for (const toml::node& item : tables_of(node, "target", file)) targets.push_back(read_target(*item.as_table(), file));
+    for (const toml::node& item : tables_of(node, "target", file))
+      targets.push_back(read_target(*item.as_table(), file));
   }
   return targets;
 }

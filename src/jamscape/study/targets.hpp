@@ -7,8 +7,8 @@
 //   left  = { quantity = "b0_strong", at = "max", where = { ... } }
 //   right = { quantity = "b0_strong", at = "max", where = { ... } }      or     right = { value = 0.8 }
 //
-// `where` picks the systems by their options; a target whose `where` fits several systems is scored for each, both sides
-// in the same one if `right` has no `where`. See Side for the quantities.
+// `where` picks the systems by their options; a target whose `where` fits several systems is scored for each, both
+// sides in the same one if `right` has no `where`. See Side for the quantities.
 #pragma once
 
 #include <cstdint>
@@ -25,11 +25,11 @@ namespace jam {
 
 /// A number taken from each realisation of a system.
 struct Side {
-  std::string quantity;                               ///< a transition, a column of `frames`, or "measure.column"
-  std::string at;                                     ///< "0.9", "max", "min", "rho_c", "rho_c+0.02", ...
-  bool per_grain = false;                             ///< divided by the number of grains
-  std::vector<double> over;                           ///< range of the first abscissa of "measure.column"
-  std::string reduce = "mean";                        ///< how the rows in that range become one number: mean, max, sd
+  std::string quantity;         ///< a transition, a column of `frames`, or "measure.column"
+  std::string at;               ///< "0.9", "max", "min", "rho_c", "rho_c+0.02", ...
+  bool per_grain = false;       ///< divided by the number of grains
+  std::vector<double> over;     ///< range of the first abscissa of "measure.column"
+  std::string reduce = "mean";  ///< how the rows in that range become one number: mean, max, sd
   double value = std::numeric_limits<double>::quiet_NaN();  ///< a constant, if there is no quantity
   std::vector<std::pair<std::string, Written>> where;
 

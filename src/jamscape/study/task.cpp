@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <set>
 
 #include "jamscape/base/error.hpp"
@@ -19,6 +20,11 @@ Error with_place(const Error& error, const System& system, const std::string& fi
   for (const auto& [name, at] : system.places)
     if (name.size() > key.size() && error.problem().find(name) != std::string::npos) key = name, place = at;
   return {error.code(), fmt::format("system '{}': {}", system.name, error.problem()), place, error.suggestion()};
+}
+
+/// Tasks within a quarter of each other count as equally long.
+int cost_class(const Task& task) {
+  return static_cast<int>(std::floor(std::log(std::max(1.0, task.cost())) / std::log(1.25)));
 }
 
 }  // namespace
@@ -52,7 +58,8 @@ Shard read_shard(const std::string& text) {
   const bool slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
   const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
   if (!slash || second.ec != std::errc{} || second.ptr != end || shard.index < 1 || shard.index > shard.count)
-    throw usage_error(fmt::format("'{}' is no shard", text), "--shard", "i/n with 1 <= i <= n, for example --shard 1/4");
+    throw usage_error(fmt::format("'{}' is no shard", text), "--shard",
+                      "i/n with 1 <= i <= n, for example --shard 1/4");
   return shard;
 }
 
@@ -61,11 +68,12 @@ std::vector<std::size_t> order_tasks(const std::vector<Task>& tasks, const Shard
   std::set<std::string> seen;
   for (std::size_t k = 0; k < tasks.size(); ++k)
     if (seen.insert(tasks[k].hash).second) order.push_back(k);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return tasks[a].cost() > tasks[b].cost(); });
+  const auto rank = [&](std::size_t k) { return std::pair(-cost_class(tasks[k]), tasks[k].realisation); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   std::vector<std::size_t> mine;
   for (std::size_t k = 0; k < order.size(); ++k)
-    if (k % static_cast<std::size_t>(shard.count) == static_cast<std::size_t>(shard.index - 1)) mine.push_back(order[k]);
+    if (k % static_cast<std::size_t>(shard.count) == static_cast<std::size_t>(shard.index - 1))
+      mine.push_back(order[k]);
   return mine;
 }
 

@@ -22,8 +22,8 @@ struct Task {
   double cost() const { return static_cast<double>(plan.steps) * static_cast<double>(plan.bodies); }
 };
 
-/// All tasks; systems with equal physics share tasks of one hash. Throws a usage error with the place in the study file for
-/// a system that cannot be.
+/// All tasks; systems with equal physics share tasks of one hash. Throws a usage error with the place in the study file
+/// for a system that cannot be.
 std::vector<Task> list_tasks(const Study& study);
 
 /// Which part of the tasks a runner does: tasks index, index + count, ... (index from 1 as on the command line).
@@ -34,7 +34,8 @@ struct Shard {
 /// Reads "i/n"; throws a usage error.
 Shard read_shard(const std::string& text);
 
-/// The indices of the tasks to be done by a shard: each hash once, the longest first.
+/// The indices of the tasks to be done by a shard: each hash once, the longest first; among those about equally long
+/// the first realisation of every system before the second of any, so that ensembles grow evenly.
 std::vector<std::size_t> order_tasks(const std::vector<Task>& tasks, const Shard& shard);
 
 }  // namespace jam

@@ -49,7 +49,8 @@ std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const 
   for (const PlannedFrame& wanted : plan.frames) {
     std::optional<std::size_t> found;
     for (std::size_t k = 0; k < steps.size(); ++k)
-      if (steps[k] == wanted.step && (!found || (stages[k] == wanted.stage && stages[*found] != wanted.stage))) found = k;
+      if (steps[k] == wanted.step && (!found || (stages[k] == wanted.stage && stages[*found] != wanted.stage)))
+        found = k;
     if (!found) return std::nullopt;
     indices.push_back(*found);
   }

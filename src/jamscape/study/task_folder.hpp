@@ -50,8 +50,8 @@ class TaskFolder {
   std::filesystem::path path_;
 };
 
-/// For each planned frame its index in the run file; nothing when one is missing there. Taking a frame changes no bit of
-/// the simulation, so frames are told apart by their step.
+/// For each planned frame its index in the run file; nothing when one is missing there. Taking a frame changes no bit
+/// of the simulation, so frames are told apart by their step.
 std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const Plan& plan);
 
 /// True when the task is done and holds every planned frame.

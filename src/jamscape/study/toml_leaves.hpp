@@ -27,8 +27,8 @@ std::string place_of(const std::string& file, toml::source_position at);
 /// Throws a usage error for a date or a table.
 Written written(const toml::node& node, const std::string& file);
 
-/// Leaves in the order in which they were written; `prefix` goes in front of every key, `skip` is left out. (A copy of a
-/// toml::table knows no places, so tables are read where they are.)
+/// Leaves in the order in which they were written; `prefix` goes in front of every key, `skip` is left out. (A copy of
+/// a toml::table knows no places, so tables are read where they are.)
 std::vector<Leaf> leaves_of(const toml::table& table, const std::string& prefix, const std::string& file,
                             std::string_view skip = {});
 

@@ -19,8 +19,8 @@ namespace {
 
 using Curves = std::vector<std::vector<double>>;
 
-constexpr double jammed_z = 3;         // S1's criterion
-constexpr double fit_range = 0.05;     // how far from rho_c the fit of the inflection looks
+constexpr double jammed_z = 3;      // S1's criterion
+constexpr double fit_range = 0.05;  // how far from rho_c the fit of the inflection looks
 constexpr std::size_t resamples = 200;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -44,7 +44,9 @@ Curves pick(const Curves& curves, const std::vector<std::size_t>& which) {
   return picked;
 }
 
-Transition from_estimate(std::string quantity, const Estimate& e) { return {std::move(quantity), e.n, e.value, e.error}; }
+Transition from_estimate(std::string quantity, const Estimate& e) {
+  return {std::move(quantity), e.n, e.value, e.error};
+}
 
 Transition plain(const Curves& z, const Curves& fraction) {
   const Estimate e = jackknife(z.size(), [&](std::span<const std::size_t> runs) {
@@ -99,8 +101,8 @@ std::vector<std::vector<Transition>> write_transitions(const Study& study, const
   std::string text = "system" + varied.header + ",quantity,n,value,se\n";
   for (std::size_t s = 0; s < systems.size(); ++s) {
     const FrameSeries series = read_frame_series(systems[s], chosen_measures(study));
-    all.push_back(find_transitions(series, static_cast<std::uint64_t>(study.info.seed),
-                                   physics_key(study.systems[s].options)));
+    all.push_back(
+        find_transitions(series, static_cast<std::uint64_t>(study.info.seed), physics_key(study.systems[s].options)));
     for (const Transition& t : all.back())
       text += fmt::format("{}{},{},{},{},{}\n", csv_field(study.systems[s].name), varied.of_system[s], t.quantity, t.n,
                           t.value, t.se);

@@ -2,12 +2,11 @@
 //
 //   system, <options that differ between systems>, quantity, n, value, se
 //
-//   rho_c          last upward crossing of the ensemble-mean z at 3, linear interpolation; error by jackknife (S1 Table I)
-//   rho_c_walls    the same with z_walls: wall contacts counted too
-//   rho_c_multi    the same with z_multi: over grains with two contacts or more
-//   rho_c_plain    rho_c on the axis of packing_fraction_plain
-//   rho_inflection inflection of the mean z: logistic plus line around rho_c; error by bootstrap
-//   rho_c_single   mean over the realisations of their own crossings
+//   rho_c          last upward crossing of the ensemble-mean z at 3, linear interpolation; error by jackknife (S1 Table
+//   I) rho_c_walls    the same with z_walls: wall contacts counted too rho_c_multi    the same with z_multi: over
+//   grains with two contacts or more rho_c_plain    rho_c on the axis of packing_fraction_plain rho_inflection
+//   inflection of the mean z: logistic plus line around rho_c; error by bootstrap rho_c_single   mean over the
+//   realisations of their own crossings
 #pragma once
 
 #include <cstdint>

@@ -83,7 +83,8 @@ std::string verify_task(const Study& study, const Task& task, const fs::path& re
                         const std::function<void(const Progress&)>& progress) {
   const TaskFolder stored(results, task.hash);
   if (!has_all_frames(stored, task.plan))
-    throw data_error("the task is not done, so there is nothing to compare with", stored.path().string(), "jamscape run");
+    throw data_error("the task is not done, so there is nothing to compare with", stored.path().string(),
+                     "jamscape run");
   const Scratch scratch(fs::temp_directory_path() / fmt::format("jamscape-verify-{}-{}", ::getpid(), task.hash));
   const TaskFolder again(scratch.path(), task.hash);
   simulate_task(study, task, again, {progress, {}, 1e9});

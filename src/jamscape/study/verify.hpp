@@ -11,7 +11,8 @@
 
 namespace jam {
 
-/// The first array or number in which two packings differ in any bit, e.g. "grains.position"; empty when they are the same.
+/// The first array or number in which two packings differ in any bit, e.g. "grains.position"; empty when they are the
+/// same.
 std::string first_difference(const Packing& a, const Packing& b);
 
 /// Simulates a task that is done again, in a folder of its own that is removed afterwards, and compares. Returns "" or

@@ -29,7 +29,8 @@ TEST(Random, StreamsDifferInEveryPartOfTheirName) {
   for (const std::uint64_t seed : {1u, 2u})
     for (const char* system : {"a", "b"})
       for (const std::uint64_t realisation : {0u, 1u})
-        for (const char* purpose : {"sizes", "velocities"}) first.insert(Random(seed, system, realisation, purpose).bits());
+        for (const char* purpose : {"sizes", "velocities"})
+          first.insert(Random(seed, system, realisation, purpose).bits());
   EXPECT_EQ(first.size(), 16u);
 }
 

@@ -25,7 +25,8 @@ TEST(RunJobs, OneThreadKeepsTheOrder) {
 
 TEST(RunJobs, CallsIdleAtLeastOnce) {
   int idle = 0;
-  run_jobs(3, 2, [](std::size_t) {}, [&] { ++idle; });
+  run_jobs(
+      3, 2, [](std::size_t) {}, [&] { ++idle; });
   EXPECT_GE(idle, 1);
 }
 
@@ -40,7 +41,9 @@ TEST(RunJobs, PassesOnAnExceptionAfterTheOthersEnded) {
   EXPECT_EQ(ended, 2) << "jobs not yet begun are left out";
 }
 
-TEST(RunJobs, NothingToDo) { EXPECT_NO_THROW(run_jobs(0, 4, [](std::size_t) { FAIL(); })); }
+TEST(RunJobs, NothingToDo) {
+  EXPECT_NO_THROW(run_jobs(0, 4, [](std::size_t) { FAIL(); }));
+}
 
 }  // namespace
 }  // namespace jam

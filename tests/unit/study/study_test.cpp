@@ -23,10 +23,11 @@ TEST(PrintStudy, ReadsBackToTheSame) {
 }
 
 TEST(PrintStudy, KeepsSystemsWithStagesOfTheirOwn) {
-  const Study s = read_study_text(std::string(small_study) +
-                                      "[[system]]\nname = \"two\"\ngrains.width = 0.3\n[[system.stage]]\nname = \"a\"\nto = "
-                                      "0.7\n[[system.stage]]\nname = \"b\"\nto = 0.9\nframes_at = [0.85]\n",
-                                  "s.toml");
+  const Study s =
+      read_study_text(std::string(small_study) +
+                          "[[system]]\nname = \"two\"\ngrains.width = 0.3\n[[system.stage]]\nname = \"a\"\nto = "
+                          "0.7\n[[system.stage]]\nname = \"b\"\nto = 0.9\nframes_at = [0.85]\n",
+                      "s.toml");
   const Study again = read_study_text(print_study(s), "printed");
   ASSERT_EQ(again.systems.at(2).options.stages.size(), 2u);
   EXPECT_EQ(again.systems[2].options.stages[1].frames_at, (std::vector<double>{0.85}));
@@ -34,7 +35,8 @@ TEST(PrintStudy, KeepsSystemsWithStagesOfTheirOwn) {
 }
 
 TEST(PrintStudy, ResolvesSweeps) {
-  const Study s = read_study_text("[study]\nname = \"w\"\n[[stage]]\nto = 0.7\n[sweep]\ngrains.width = [0.1, 0.2]\n", "s.toml");
+  const Study s =
+      read_study_text("[study]\nname = \"w\"\n[[stage]]\nto = 0.7\n[sweep]\ngrains.width = [0.1, 0.2]\n", "s.toml");
   const Study again = read_study_text(print_study(s), "printed");
   ASSERT_EQ(again.systems.size(), 2u);
   EXPECT_EQ(again.systems[1].name, "width=0.2");

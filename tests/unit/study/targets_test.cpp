@@ -28,7 +28,8 @@ TEST(Targets, OfKramar2013HoldTableOne) {
 
 TEST(Targets, AnOrderHasTwoSides) {
   const std::vector<Target> t = read_targets(
-      "[[target]]\nname = \"a\"\nleft = { quantity = \"z\", at = \"0.8\", where = { contact.friction = 0 } }\nright = { value = 3 }\n",
+      "[[target]]\nname = \"a\"\nleft = { quantity = \"z\", at = \"0.8\", where = { contact.friction = 0 } }\nright = "
+      "{ value = 3 }\n",
       "t.toml");
   ASSERT_EQ(t.size(), 1u);
   EXPECT_FALSE(t[0].is_value());
@@ -47,7 +48,8 @@ TEST(Targets, MistakesHavePlaces) {
     return std::string("none");
   };
   EXPECT_EQ(place("[[target]]\nname = \"a\"\nquantty = \"z\"\n"), "t.toml:3:1");
-  EXPECT_EQ(place("[[target]]\nname = \"a\"\nquantity = \"z\"\nwhere = { contact.frction = 0 }\nvalue = 1\n"), "t.toml:4:11");
+  EXPECT_EQ(place("[[target]]\nname = \"a\"\nquantity = \"z\"\nwhere = { contact.frction = 0 }\nvalue = 1\n"),
+            "t.toml:4:19");
   EXPECT_EQ(place("[[target]]\nquantity = \"z\"\nvalue = 1\n"), "t.toml:1:1");
   EXPECT_EQ(place("[[target]]\nname = \"a\"\nquantity = \"z\"\n"), "t.toml:1:1") << "nothing to compare with";
 }

@@ -27,8 +27,8 @@ TEST(Tasks, OneForEachSystemAndRealisation) {
 TEST(Tasks, MoreRealisationsAndSystemsLeaveTheOthersAsTheyAre) {
   const std::vector<Task> before = tasks();
   const std::vector<Task> after =
-      list_tasks(read_study_text(std::string(small_study) + "[[system]]\nname = \"new\"\ncontact.friction = 0.1\n", "s.toml",
-                                 {{"study.realisations", "5"}, {"study.title", "new"}}));
+      list_tasks(read_study_text(std::string(small_study) + "[[system]]\nname = \"new\"\ncontact.friction = 0.1\n",
+                                 "s.toml", {{"study.realisations", "5"}, {"study.title", "new"}}));
   ASSERT_EQ(after.size(), 15u);
   for (const Task& b : before) {
     const Task& a = after[b.system * 5 + b.realisation];
@@ -43,10 +43,21 @@ TEST(Tasks, EqualPhysicsIsDoneOnce) {
   EXPECT_EQ(order_tasks(t, {}).size(), 6u);
 }
 
-TEST(Tasks, LongestFirst) {
-  const std::vector<Task> t = tasks();
-  const std::vector<std::size_t> order = order_tasks(t, {});
-  for (std::size_t k = 1; k < order.size(); ++k) EXPECT_GE(t[order[k - 1]].cost(), t[order[k]].cost());
+TEST(Tasks, LongestFirstAndEnsemblesGrowEvenly) {
+  const std::vector<Task> t = tasks("[[system]]\nname = \"smoother\"\ncontact.friction = 0.1\n");
+  std::vector<std::pair<std::string, std::uint64_t>> order;
+  const char* names[] = {"smooth", "rough", "smoother"};
+  for (const std::size_t k : order_tasks(t, {})) order.emplace_back(names[t[k].system], t[k].realisation);
+  EXPECT_EQ(order, (decltype(order){{"smooth", 0},
+                                    {"smoother", 0},
+                                    {"smooth", 1},
+                                    {"smoother", 1},
+                                    {"smooth", 2},
+                                    {"smoother", 2},
+                                    {"rough", 0},
+                                    {"rough", 1},
+                                    {"rough", 2}}))
+      << "rough is compressed at twice the speed";
 }
 
 TEST(Tasks, ShardsShareThemOut) {
@@ -69,7 +80,7 @@ TEST(Tasks, AnImpossibleProtocolNamesItsPlace) {
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), ExitCode::usage);
-    EXPECT_EQ(e.place(), "s.toml:25:1");
+    EXPECT_EQ(e.place(), "s.toml:26:16");
     EXPECT_NE(e.problem().find("system 'back'"), std::string::npos);
   }
 }

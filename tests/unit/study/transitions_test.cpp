@@ -56,7 +56,8 @@ TEST(Transitions, AFrameGivenTwiceDoesNoHarm) {
   s.target.insert(s.target.begin() + 50, s.target[50]);
   for (auto& quantity : s.value)
     for (auto& run : quantity) run.insert(run.begin() + 50, run[50]);
-  EXPECT_EQ(get(find_transitions(s, 1, "key"), "rho_c").value, get(find_transitions(jumping(), 1, "key"), "rho_c").value);
+  EXPECT_EQ(get(find_transitions(s, 1, "key"), "rho_c").value,
+            get(find_transitions(jumping(), 1, "key"), "rho_c").value);
 }
 
 TEST(Transitions, NoneBelowJammingAndWithoutZ) {
