@@ -48,10 +48,11 @@ void Monitor::event(std::size_t task, const char* what, const std::string& reaso
   }
 }
 
-void Monitor::started(std::size_t task) {
+void Monitor::started(std::size_t task, bool resumed) {
   const std::lock_guard lock(mutex_);
   states_[task].phase = Phase::simulating;
-  event(task, "started");
+  states_[task].resumed = resumed;
+  event(task, resumed ? "resumed" : "started");
 }
 
 void Monitor::progress(std::size_t task, const Progress& progress) {
@@ -60,15 +61,17 @@ void Monitor::progress(std::size_t task, const Progress& progress) {
   s.step = progress.step;
   s.packing_fraction = progress.packing_fraction;
   s.part = progress.steps > 0 ? static_cast<double>(progress.step) / static_cast<double>(progress.steps) : 0;
-  if (!s.seen) s.part_found = s.part, s.seen = true;
+  if (!s.seen) s.part_found = s.resumed ? s.part : 0;
+  s.seen = true;
 }
 
 void Monitor::measuring(std::size_t task) {
   const std::lock_guard lock(mutex_);
   State& s = states_[task];
+  const bool simulated = s.phase == Phase::simulating && !s.resumed;
+  if (!s.seen && !simulated) s.part_found = 1;
   s.phase = Phase::measuring;
   s.part = 1;
-  if (!s.seen) s.part_found = 1;
 }
 
 void Monitor::finished(std::size_t task, bool simulated) {
@@ -89,7 +92,7 @@ void Monitor::failed(std::size_t task, const std::string& reason) {
 
 void Monitor::skipped(std::size_t task) {
   const std::lock_guard lock(mutex_);
-  states_[task] = {Phase::ended, 1, 1, 0, 0, true};
+  states_[task] = {Phase::ended, 1, 1, 0, 0, true, false};
   event(task, "skipped", "another process works on it");
 }
 
@@ -121,11 +124,11 @@ Monitor::Totals Monitor::totals() {
 void Monitor::draw_bar(const Totals& t) {
   std::vector<std::string> notes = {fmt::format("{}/{} runs", t.ended, t.tasks)};
   if (failures_ > 0) notes.push_back(fmt::format("{} failed", failures_));
+  if (t.seconds_left >= 0 && t.ended < t.tasks) notes.push_back(print_duration(t.seconds_left) + " left");
   if (t.highest > 0) {
     notes.push_back(t.highest - t.lowest < 5e-4 ? fmt::format("phi {:.3f}", t.highest)
                                                 : fmt::format("phi {:.3f}-{:.3f}", t.lowest, t.highest));
     notes.push_back(fmt::format("{:.1f} M grain-steps/s", t.rate / 1e6));
-    notes.push_back(print_duration(t.seconds_left) + " left");
   }
   fmt::print(out_, "\r{}\033[K", print_bar(t.cost > 0 ? t.behind / t.cost : 0, notes, terminal_width() - 1));
   std::fflush(out_);

@@ -23,7 +23,7 @@ class Monitor : public RunListener {
           std::FILE* out);
   ~Monitor() override;
 
-  void started(std::size_t task) override;
+  void started(std::size_t task, bool resumed) override;
   void progress(std::size_t task, const Progress& progress) override;
   void measuring(std::size_t task) override;
   void finished(std::size_t task, bool simulated) override;
@@ -40,6 +40,7 @@ class Monitor : public RunListener {
     double packing_fraction = 0;
     std::int64_t step = 0;
     bool seen = false;
+    bool resumed = false;
   };
   struct Totals {
     double cost = 0, behind = 0, gained = 0;

@@ -66,6 +66,8 @@ void write_results(const Study& study, const std::vector<Task>& tasks, const std
   const std::string report = std::filesystem::absolute(results / "report.html").lexically_normal().string();
   if (summary == Summary::json) print_json(study, transitions, report);
   if (summary != Summary::text) return;
+  if (done.size() < tasks.size())
+    fmt::print("{} of {} runs are done; the others are left out\n", done.size(), tasks.size());
   print_summary(study, transitions);
   fmt::print("report: {}\n", report);
 }

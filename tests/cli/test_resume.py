@@ -84,6 +84,12 @@ class Resume(Case):
         self.program("run", "slow.toml", "--out", "out", "--quiet")
         self.assert_same_results("whole", "out")
         run = next((self.folder / "out").glob("tasks/*/run.h5"))
+        run.write_bytes(run.read_bytes()[:5000])
+        damaged = run.read_bytes()
+        error = self.program("run", "slow.toml", "--out", "out", "--quiet", code=6).stderr
+        self.assertIn("1 of 4 runs failed", error)
+        self.assertEqual(run.read_bytes(), damaged, "what cannot be read is not thrown away")
+        self.assertIn("move run.h5 away", self.program("status", "out").stdout)
         run.unlink()
         next((self.folder / "out").glob("tasks/*/tables/coordination.csv")).unlink()
         self.program("run", "slow.toml", "--out", "out", "--quiet")

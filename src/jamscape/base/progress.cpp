@@ -19,7 +19,7 @@ std::string print_duration(double seconds) {
 }
 
 std::string print_bar(double fraction, const std::vector<std::string>& notes, std::size_t width) {
-  constexpr int cells = 24;
+  constexpr int cells = 10;
   fraction = std::clamp(fraction, 0.0, 1.0);
   const int full = static_cast<int>(fraction * cells);
   std::string bar(cells, ' ');

@@ -67,7 +67,7 @@ class Runner {
         return Ending::skipped;
       }
       const bool done = has_all_frames(folder, task.plan);
-      if (!done) listener_.started(index);
+      if (!done) listener_.started(index, fs::exists(folder.checkpoint()));
       fs::remove(folder.path() / "failed.txt");
       SimulateHooks hooks{[&](const Progress& p) { listener_.progress(index, p); }, [this] { return stopping(); },
                           options_.checkpoint_interval};

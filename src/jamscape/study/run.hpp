@@ -16,7 +16,8 @@ namespace jam {
 class RunListener {
  public:
   virtual ~RunListener() = default;
-  virtual void started(std::size_t /*task*/) {}
+  /// `resumed`: it goes on from a checkpoint.
+  virtual void started(std::size_t /*task*/, bool /*resumed*/) {}
   virtual void progress(std::size_t /*task*/, const Progress&) {}
   virtual void measuring(std::size_t /*task*/) {}
   /// `simulated` is false for a task that was done before.

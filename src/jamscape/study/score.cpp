@@ -198,7 +198,10 @@ Score judge(const Target& target, const Reading& left, const Reading& right, std
   score.note = !left.problem.empty() ? left.problem : right.problem;
   const bool enough = score.note.empty() && score.n >= static_cast<std::size_t>(target.realisations);
   if (!enough) {
-    if (score.note.empty()) score.note = fmt::format("{} so far", agrees ? "agrees" : "does not agree");
+    if (score.note.empty())
+      score.note = target.is_value() || std::isfinite(score.error)
+                       ? fmt::format("{} so far", agrees ? "agrees" : "does not agree")
+                       : "one run has no error";
   } else if (!target.known_deviation.empty()) {
     score.verdict = Verdict::known_deviation;
     score.note = target.known_deviation;

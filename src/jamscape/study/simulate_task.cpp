@@ -109,6 +109,9 @@ Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& fo
     folder.discard_partial();
     return Outcome::finished;
   }
+  if (const std::string reason = unreadable_run(folder); !reason.empty())
+    throw data_error(reason, {},
+                     "move run.h5 away to simulate again; another version of the program may still read it");
   make_folder(folder.frames());
   write_text(folder.path() / "task.toml", task_text(study, task));
   const auto begin = Clock::now();

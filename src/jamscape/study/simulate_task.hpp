@@ -20,7 +20,7 @@ struct SimulateHooks {
 std::string task_text(const Study& study, const Task& task);
 
 /// Simulates what is missing. Returns `stopped` when hooks.stop() asked for it (a checkpoint is kept), `finished` when
-/// run.h5 holds every planned frame. Throws what the engine or the disk throws; the last checkpoint stays.
+/// run.h5 holds every planned frame. A run.h5 that cannot be read is a data error, never overwritten. Throws what the engine or the disk throws; the last checkpoint stays.
 /// The caller holds the lock of the folder.
 Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks);
 

@@ -57,6 +57,17 @@ std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const 
   return indices;
 }
 
+std::string unreadable_run(const TaskFolder& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder.run_file(), ignored)) return {};
+  try {
+    const RunFile run(folder.run_file());
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 bool has_all_frames(const TaskFolder& folder, const Plan& plan) {
   std::error_code ignored;
   if (!fs::exists(folder.run_file(), ignored)) return false;

@@ -54,7 +54,10 @@ class TaskFolder {
 /// of the simulation, so frames are told apart by their step.
 std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const Plan& plan);
 
-/// True when the task is done and holds every planned frame.
+/// Why run.h5 cannot be read, or "" when it can or is not there.
+std::string unreadable_run(const TaskFolder& folder);
+
+/// True when the task is done and holds every planned frame; false for a run.h5 that cannot be read.
 bool has_all_frames(const TaskFolder& folder, const Plan& plan);
 
 }  // namespace jam

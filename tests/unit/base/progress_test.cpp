@@ -18,9 +18,9 @@ TEST(Progress, Durations) {
 }
 
 TEST(Progress, BarGrowsAndKeepsItsWidth) {
-  EXPECT_EQ(print_bar(0, {}, 80), "[>                       ]   0 %");
-  EXPECT_EQ(print_bar(0.5, {"3/6 runs", ""}, 80), "[============>           ]  50 %  3/6 runs");
-  EXPECT_EQ(print_bar(1, {}, 80), "[========================] 100 %");
+  EXPECT_EQ(print_bar(0, {}, 80), "[>         ]   0 %");
+  EXPECT_EQ(print_bar(0.5, {"3/6 runs", ""}, 80), "[=====>    ]  50 %  3/6 runs");
+  EXPECT_EQ(print_bar(1, {}, 80), "[==========] 100 %");
   EXPECT_EQ(print_bar(7, {}, 80), print_bar(1, {}, 80));
   EXPECT_EQ(print_bar(0.5, {"a long note"}, 10).size(), 10u);
 }
