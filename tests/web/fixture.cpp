@@ -74,6 +74,8 @@ std::vector<Curve> frame_curves() {
       {"pressure", [=](double r, std::size_t s) { return std::max(0.0, r - rho_c(s)) + 1e-5; }},
       {"unbalanced_force", [=](double r, std::size_t s) { return 1e-3 + 0.8 * (1 - up(r, s)); }},
       {"kinetic", [=](double r, std::size_t s) { return 1e-6 + 1e-3 * (1 - up(r, s)); }},
+      // spans more decades than an axis can show
+      {"elastic", [=](double r, std::size_t s) { return std::pow(up(r, s), 3); }},
       {"tp0", [=](double r, std::size_t s) { return 300 * up(r, s); }},
       {"tp1", [=](double r, std::size_t s) { return 120 * up(r, s); }},
       {"contacts", [=](double r, std::size_t s) { return 200 * (0.6 + 3.2 * up(r, s)); }},

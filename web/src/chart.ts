@@ -110,6 +110,17 @@ function seriesOf(lines: Line[]): { series: uPlot.Series[]; bands: uPlot.Band[] 
   return { series, bands };
 }
 
+/** One to nine times the powers of ten in the range; uPlot's own search for them needs a range that starts at one. */
+function logSplits(_: uPlot, __: number, low: number, high: number): number[] {
+  const splits: number[] = [];
+  for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); ++power)
+    for (let k = 1; k < 10; ++k) {
+      const value = k * 10 ** power;
+      if (value >= low && value <= high) splits.push(value);
+    }
+  return splits;
+}
+
 function axes(options: ChartOptions): uPlot.Axis[] {
   const common: uPlot.Axis = {
     stroke: MUTED,
@@ -130,7 +141,7 @@ function axes(options: ChartOptions): uPlot.Axis[] {
     { ...common, size: 30, space: 55, values: (_, splits) => splits.map((v) => plain(v)) },
     {
       ...common,
-      ...(options.log ? { grid: { ...common.grid, filter: onlyDecades as uPlot.Axis.Filter } } : {}),
+      ...(options.log ? { splits: logSplits, grid: { ...common.grid, filter: onlyDecades as uPlot.Axis.Filter } } : {}),
       size: 46,
       space: options.log ? 14 : 36,
       values: options.log ? decades : (_, splits) => splits.map((v) => (v === null ? "" : plain(v))),
@@ -161,11 +172,14 @@ function linearRange(options: ChartOptions): uPlot.Scale.Range {
   };
 }
 
+/** No more than eight decades are shown; curves below leave the panel. */
+const DECADES = 1e8;
+
 function logRange(options: ChartOptions): uPlot.Scale.Range {
   return (_, low, high) => {
     if (options.yRange) return options.yRange;
     if (low === null || high === null || !(low > 0)) return [0.1, 1];
-    return [low / 1.3, high * 1.3];
+    return [Math.max(low / 1.3, high / DECADES), high * 1.3];
   };
 }
 

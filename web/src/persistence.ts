@@ -75,7 +75,10 @@ function densities(points: Points, top: number): Float64Array {
 export function drawDiagram(canvas: HTMLCanvasElement, frame: DiagramFrame, dimension: number, size: number): void {
   canvas.width = canvas.height = Math.round(size * pixelRatio);
   const ctx = canvas.getContext("2d")!;
-  ctx.scale(pixelRatio, pixelRatio);
+  // Drawn in units that grow with the picture, so that an enlarged one reads as well from afar.
+  const unit = Math.min(Math.max(size / 280, 1), 2);
+  ctx.scale(pixelRatio * unit, pixelRatio * unit);
+  size /= unit;
   const points = unpack(frame, dimension);
   const top = 5.15;
   const margin = { left: 30, right: 8, top: 8, bottom: 46 };

@@ -86,8 +86,9 @@ function hideWithLegend(context: Context, system: number, element: HTMLElement):
   context.state.shown.watch((shown) => element.classList.toggle("off", !shown[system]));
 }
 
-function titleOf(context: Context, system: number, rho: number): string {
-  return `<i class="swatch" style="background:${systemColour(system)}"></i><span>${context.labels[system]}</span><span class="rho"><i>ρ</i> = ${plain(rho, 4)}</span>`;
+function titleOf(context: Context, system: number, rho: number, what = ""): string {
+  const label = context.labels[system] + (what && `<span class="what">${what}</span>`);
+  return `<i class="swatch" style="background:${systemColour(system)}"></i><span>${label}</span><span class="rho"><i>ρ</i> = ${plain(rho, 4)}</span>`;
 }
 
 export const networks: Section = {
@@ -150,7 +151,7 @@ export const diagrams: Section = {
           const name = dimension === 0 ? "<i>β</i><sub>0</sub> components" : "<i>β</i><sub>1</sub> loops";
           canvas.title = "click to enlarge";
           canvas.setAttribute("aria-label", `persistence diagram, dimension ${dimension}, ${context.data.study.systems[system].name}`);
-          canvas.addEventListener("click", () => enlarged(`${titleOf(context, system, chosen().rho)} ${name}`, draw));
+          canvas.addEventListener("click", () => enlarged(titleOf(context, system, chosen().rho, name), draw));
           return h("div", "diagram", markup(name, "div", "diagram-name"), canvas);
         });
       const element = h("div", "cell", title, h("div", "pair", ...plots));

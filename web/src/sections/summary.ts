@@ -12,6 +12,12 @@ function label(context: Context, system: number): string {
   return `<i class="swatch" style="background:${systemColour(system)}"></i>${context.labels[system]}`;
 }
 
+/** With the system's name where the label is made of options. */
+function namedLabel(context: Context, system: number): string {
+  const name = escape(context.data.study.systems[system].name);
+  return label(context, system) + (name === context.labels[system] ? "" : ` <span class="what">${name}</span>`);
+}
+
 function systemsTable(context: Context): HTMLElement {
   const { study } = context.data;
   const keys = [...ALWAYS, ...study.swept.filter((key) => !ALWAYS.includes(key))].filter((key) =>
@@ -20,7 +26,7 @@ function systemsTable(context: Context): HTMLElement {
   const hasSpeed = study.systems.some((s) => "speed" in s.options);
   const head = ["system", ...keys.map(optionSymbol), ...(hasSpeed ? ["wall speed <small>d/τ<sub>c</sub></small>"] : []), "realisations"];
   const rows = study.systems.map((s, k) => [
-    label(context, k),
+    namedLabel(context, k),
     ...keys.map((key) => optionValue(s.swept[key] ?? s.options[key] ?? "–")),
     ...(hasSpeed ? [optionValue(s.options.speed ?? "–")] : []),
     s.planned !== null && s.planned !== s.realisations ? `${s.realisations} of ${s.planned}` : String(s.realisations),
