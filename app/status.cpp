@@ -55,8 +55,8 @@ ExitCode status(const std::string& dir, bool as_json) {
     const Task& t = tasks[k];
     const TaskFolder folder(dir, t.hash);
     const bool busy = running(folder), complete = has_all_frames(folder, t.plan);
-    const std::string damage = busy || complete ? "" : unreadable_run(folder);
-    const std::string failure = busy || complete ? "" : !damage.empty() ? damage : folder.failure();
+    std::string failure = busy || complete ? "" : folder.failure();
+    if (failure.empty() && !busy && !complete) failure = unreadable_run(folder);
     const std::string state = busy                                   ? "running"
                               : complete                             ? "done"
                               : !failure.empty()                     ? "failed"
