@@ -110,7 +110,7 @@ where = { contact.friction = 7 }
 
 class OnData(Case):
     def test_persistence_of_known_networks(self):
-        # PHYSICS sec. 4: a square of forces 4, 3, 2, 1; the same with a weak diagonal is in the unit tests.
+        # theory sec. 4: a square of forces 4, 3, 2, 1; the same with a weak diagonal is in the unit tests.
         self.write("square.csv", "i,j,force\n0,1,4\n1,2,3\n2,3,2\n3,0,1\n")
         lines = [x for x in self.program("persistence", "square.csv").stdout.splitlines() if not x.startswith("#")]
         self.assertEqual(lines[0], "dimension,birth,death,essential,birth_cell,death_cell,i,j")

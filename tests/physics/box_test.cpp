@@ -15,7 +15,7 @@ TEST(Box, length_inverts_packing_fraction_in_every_convention) {
   }
   const BoxMeasure cube{3, WallModel::flat, BoxConvention::half_beads, 900, 900};
   EXPECT_NEAR(cube.packing_fraction(cube.length(0.57)), 0.57, 1e-14);
-  // S1 between its two packing fractions: the walls travel about 4.7 d (PHYSICS sec. 7)
+  // S1 between its two packing fractions: the walls travel about 4.7 d (theory sec. 7)
   const BoxMeasure s1{2, WallModel::beads, BoxConvention::half_beads, 2025 * std::numbers::pi / 4, 0};
   EXPECT_NEAR((s1.length(0.6) - s1.length(0.9)) / 2, 4.7, 0.05);
 }
@@ -32,7 +32,7 @@ TEST(Start, sizes_follow_their_distribution) {
   EXPECT_NEAR(mean_power(o, 2), 1 + 0.4 * 0.4 / 12, 1e-14);
   o.sizes = SizeLaw::bidisperse;
   EXPECT_NEAR(mean_power(o, 1), 1, 1e-14);
-  EXPECT_NEAR(mean_power(o, 2), 1.02768, 1e-5);  // PHYSICS sec. 1
+  EXPECT_NEAR(mean_power(o, 2), 1.02768, 1e-5);  // theory sec. 1
   EXPECT_NEAR(mean_power(o, 3), 1.08630, 1e-5);
 }
 

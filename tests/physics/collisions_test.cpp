@@ -1,4 +1,4 @@
-// Single contacts against closed forms (PHYSICS sec. 2.1, 2.5, 6b; Chung & Ooi 2011).
+// Single contacts against closed forms (theory sec. 2.1, 2.5, 6b; Chung & Ooi 2011).
 #include <gtest/gtest.h>
 
 #include "jamscape/base/error.hpp"
@@ -41,7 +41,7 @@ TEST(HeadOn, restitution_of_every_damping_rule_in_both_dimensions) {
   }
 }
 
-// Contact onset falls anywhere within a step: PHYSICS sec. 2.5 gives the scatter at dt = .02.
+// Contact onset falls anywhere within a step: theory sec. 2.5 gives the scatter at dt = .02.
 TEST(HeadOn, restitution_at_the_time_step_of_the_studies) {
   for (const auto& [scheme, mean, lowest, highest] :
        {std::tuple{Scheme::gear5, 0.4998, 0.489, 0.503}, std::tuple{Scheme::verlet, 0.4976, 0.4956, 0.510}}) {

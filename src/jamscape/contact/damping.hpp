@@ -11,7 +11,7 @@ namespace jam {
 ///   clipped     the same collision ends when the force would turn attractive; solved for numerically
 ///   printed     force zero whenever |dashpot| > |spring|; the smallest gamma_n that reaches e, by integrating the
 ///   collision
-/// Source: PHYSICS sec. 2.1-2.2. Throws a usage error when the rule cannot reach e (printed rule: e < .696).
+/// Source: theory sec. 2.1-2.2. Throws a usage error when the rule cannot reach e (printed rule: e < .696).
 double solve_damping(double k_n, double mbar, double restitution, DampingRule rule);
 
 /// Restitution of the linear law for z = gamma_n / (2 w0) < 1.

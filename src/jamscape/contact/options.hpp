@@ -1,4 +1,4 @@
-// Options of the contact laws, and what the laws are made of (PHYSICS sec. 2.1-2.3).
+// Options of the contact laws, and what the laws are made of (theory sec. 2.1-2.3).
 #pragma once
 
 #include <numbers>
@@ -52,7 +52,7 @@ struct ContactOptions {
               .unit = "m/tau_c^2",
               .min = 0,
               .above_min = true,
-              .source = "PHYSICS 2.1"});
+              .source = "theory 2.1"});
     v.option("restitution", restitution,
              {.text = "normal restitution of two mean grains; the damping is solved for it",
               .min = 0.01,
@@ -63,8 +63,8 @@ struct ContactOptions {
              {.text = "tangential over normal stiffness k_t/k_n", .min = 0, .max = 10});
     v.option("tangential_damping", tangential_damping,
              {.text = "tangential over normal damping gamma_t/gamma_n", .min = 0, .max = 10});
-    v.option("damping", damping, {.text = "rule for a dashpot stronger than the spring", .source = "PHYSICS 2.1, 2.2"});
-    v.option("lever", lever, {.text = "lever arm of the tangential force", .source = "PHYSICS 2.3"});
+    v.option("damping", damping, {.text = "rule for a dashpot stronger than the spring", .source = "theory 2.1, 2.2"});
+    v.option("lever", lever, {.text = "lever arm of the tangential force", .source = "theory 2.3"});
     v.option("wall_friction", wall_friction,
              {.text = "Coulomb coefficient between grains and walls; -1: as between grains", .min = -1, .max = 1e6});
   }

@@ -2,9 +2,9 @@
 // keep their velocity.
 //
 // Verlet in leapfrog form: the row holds v(n-1/2); v += a dt; x += v dt. That is velocity Verlet whose forces see the
-// velocity of the half step (PHYSICS sec. 2.5).
+// velocity of the half step (theory sec. 2.5).
 //
-// Gear, five values, velocity-dependent forces (S1 App. A; coefficients of PHYSICS sec. 2.5): the row holds the
+// Gear, five values, velocity-dependent forces (S1 App. A; coefficients of theory sec. 2.5): the row holds the
 // predicted x and v the forces were computed at; correct with da = a(forces) - a(predicted), then predict the next
 // step. In plain derivatives instead of the scaled ones r_k = dt^k/k! x^(k):
 //   x += c0 dt^2/2 da,  v += c1 dt/2 da,  a += da,  jerk += 3 c3/dt da,  snap += 12 c4/dt^2 da.

@@ -1,4 +1,4 @@
-// The integration schemes (PHYSICS sec. 2.5).
+// The integration schemes (theory sec. 2.5).
 #pragma once
 
 namespace jam {

@@ -1,7 +1,7 @@
 // Connected pieces of a graph at a threshold.
 //
 // A vertex has the largest weight of its edges as its value, 0 without edges. The level set keeps the vertices and
-// edges whose value reaches the threshold. Level::at_least is S1's f >= theta (PHYSICS sec. 4), Level::above S2's F >
+// edges whose value reaches the threshold. Level::at_least is S1's f >= theta (theory sec. 4), Level::above S2's F >
 // F_th.
 #pragma once
 

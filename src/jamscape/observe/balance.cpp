@@ -25,7 +25,7 @@ Measure balance_measure() {
       {"balance", "unbalanced force",
        "(mean over grains of |sum of contact forces|)/(mean over contacts of |contact force|), wall contacts "
        "included; 0 at rest, and without contacts",
-       "PHYSICS sec. 1; as in Yade"},
+       "theory sec. 1; as in Yade"},
       {{"unbalanced_force", "", "mean net force on a grain over the mean contact force"}},
       [](const Snapshot& s) { return std::vector<double>{unbalanced_force(s.packing())}; });
 }

@@ -95,7 +95,7 @@ Measure bond_order_measure() {
                         "and +1 for a straight chain. psi6_local and psi6_global are the usual order parameters. A "
                         "grain with one bond or "
                         "none contributes 0; all are 0 in three dimensions.",
-                        "S1 Sec. III.B, Fig. 8; PHYSICS sec. 4"},
+                        "S1 Sec. III.B, Fig. 8; theory sec. 4"},
                        {{"psi6", "", "formula of S1: N_b - 1 gaps, the one across the negative x axis left out"},
                         {"psi6_closed", "", "the same with all N_b gaps"},
                         {"psi6_local", "", "mean over grains of |<exp(6 i theta)> over its bonds|"},

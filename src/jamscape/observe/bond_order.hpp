@@ -8,7 +8,7 @@
 //
 // A grain with one bond or none contributes 0 to all four. A hexagonal lattice gives 1. The printed formula has no
 // phase that could cancel: a square lattice gives -1, a straight chain +1, and a disordered packing nothing like 1/N.
-// It also depends on the axis where the sorting starts. Source: S1 Sec. III.B; PHYSICS sec. 4.
+// It also depends on the axis where the sorting starts. Source: S1 Sec. III.B; theory sec. 4.
 #pragma once
 
 #include "jamscape/observe/measure.hpp"

@@ -14,7 +14,7 @@ Measure box_measure() {
       {"box", "sides of the box",
        "distances between opposite walls (between the lines of bead centres for bead walls), or periodic "
        "lengths",
-       "PHYSICS sec. 1, 6a"},
+       "theory sec. 1, 6a"},
       {{"box_lx", "d", "along x"}, {"box_ly", "d", "along y"}, {"box_lz", "d", "along z; 0 in two dimensions"}},
       [](const Snapshot& s) {
         const Packing& p = s.packing();

@@ -29,7 +29,7 @@ Measure coordination_measure() {
        "z = 2 N_pp/N over all N grains, N_pp the touching pairs of grains (overlap >= 0). Rattlers are among the N: z "
        "at "
        "jamming is lower than the isostatic number of the rigid part.",
-       "S1 Table I; PHYSICS sec. 4, 6a"},
+       "S1 Table I; theory sec. 4, 6a"},
       {{"z", "", "touching grains per grain, all grains, walls excluded"},
        {"z_walls", "", "contacts per grain, wall contacts (each bead of a wall) counted"},
        {"z_multi", "",

@@ -1,4 +1,4 @@
-// How many contacts a grain has, in the countings that give rho_c its alternatives (PHYSICS sec. 4 and 6a).
+// How many contacts a grain has, in the countings that give rho_c its alternatives (theory sec. 4 and 6a).
 //
 //   z       = 2 N_pp/N              N_pp touching pairs of grains, N all grains (walls excluded): the default
 //   z_walls = (2 N_pp + N_pw)/N     N_pw wall contacts

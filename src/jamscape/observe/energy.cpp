@@ -14,7 +14,7 @@ Measure energy_measure() {
       {"energy", "energy ledger",
        "ledger_sum = kinetic + elastic + damped + rubbed - wall_work - gravity_work stays at its first value to the "
        "integrator's order",
-       "PHYSICS sec. 6b"},
+       "theory sec. 6b"},
       {{"kinetic", unit, "energy of translation and rotation, now"},
        {"elastic", unit, "energy of the normal and tangential springs, now"},
        {"damped", unit, "taken by the dashpots since the start"},

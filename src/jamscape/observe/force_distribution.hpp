@@ -1,7 +1,7 @@
 // P(F): density of the contact forces in units of their mean, F/<F>, over the edges of the force network, unclamped.
 //
 //   integral of P over all F = 1: forces outside the bins count in the norm. Bins are logarithmic.
-// Source: S1 Sec. III.B, Figs. 9 and 10 (bins unstated there); PHYSICS sec. 4.
+// Source: S1 Sec. III.B, Figs. 9 and 10 (bins unstated there); theory sec. 4.
 #pragma once
 
 #include "jamscape/observe/measure.hpp"

@@ -6,7 +6,7 @@
 //
 // With `remove_rattlers` the edges of grains with fewer than two contacts (walls count) are dropped first, once and not
 // recursively; the vertices stay, so that the index of a vertex is the index of its grain.
-// Source: S1 Sec. II.C and App. B, S2 Sec. 4, PHYSICS sec. 4.
+// Source: S1 Sec. II.C and App. B, S2 Sec. 4, theory sec. 4.
 #pragma once
 
 #include <cstdint>

@@ -47,7 +47,7 @@ struct MeasureOptions {
          .source = "S1 Figs. 9, 10"});
     v.option(
         "pair_bin", pair_bin,
-        {.text = "pair correlation: width of a bin", .unit = "d", .min = 1e-4, .max = 10, .source = "PHYSICS sec. 4"});
+        {.text = "pair correlation: width of a bin", .unit = "d", .min = 1e-4, .max = 10, .source = "theory sec. 4"});
     v.option("pair_range", pair_range,
              {.text = "pair correlation: largest distance", .unit = "d", .min = 0, .max = 1000, .above_min = true});
     v.option("pair_margin", pair_margin,
@@ -55,19 +55,19 @@ struct MeasureOptions {
               .unit = "d",
               .min = 0,
               .max = 1000,
-              .source = "PHYSICS sec. 4"});
+              .source = "theory sec. 4"});
     v.option("force_min", force_min,
              {.text = "force distribution: lowest edge of the logarithmic bins, in mean forces",
               .min = 0,
               .max = 1e6,
               .above_min = true,
-              .source = "PHYSICS sec. 4"});
+              .source = "theory sec. 4"});
     v.option("force_max", force_max,
              {.text = "force distribution: highest edge of the logarithmic bins, in mean forces",
               .min = 0,
               .max = 1e6,
               .above_min = true,
-              .source = "PHYSICS sec. 4"});
+              .source = "theory sec. 4"});
     v.option("force_bins", force_bins, {.text = "force distribution: number of bins", .min = 1, .max = 1e5});
     v.option("betti_max", betti_max,
              {.text = "Betti numbers: highest threshold, in mean forces", .min = 0, .max = 1e6});

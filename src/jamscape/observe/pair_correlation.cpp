@@ -146,7 +146,7 @@ Measure pair_correlation_measure() {
        "reference grains away from the walls, rho the density there: 1 for an ideal gas. A grain is a reference at d "
        "only "
        "while the whole shell is inside the box; bins without reference grains are NaN.",
-       "S1 Sec. III.B, Fig. 7 (there in arbitrary units); PHYSICS sec. 4"},
+       "S1 Sec. III.B, Fig. 7 (there in arbitrary units); theory sec. 4"},
       {{"distance", "d", "centre of the bin, in mean diameters"}, {"g", "", "pair correlation"}}, 1, true,
       [](const Snapshot& s) -> std::vector<std::vector<double>> {
         PairCorrelation g = pair_correlation(s.packing(), s.options());

@@ -9,7 +9,7 @@
 // where the wall orders the grains. The margin is at most a sixth of the width.
 // S1 plots arbitrary units, and its 2 pi d Delta d N rho/2 counts each pair once, from any grain; this is the same
 // function in absolute units. Bins without reference grains are NaN.
-// Source: S1 Sec. III.B, Fig. 7; PHYSICS sec. 4.
+// Source: S1 Sec. III.B, Fig. 7; theory sec. 4.
 #pragma once
 
 #include <cstdint>

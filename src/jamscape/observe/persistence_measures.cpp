@@ -26,7 +26,7 @@ Measure persistence_bins_measure() {
                         "weak (b < 1), forces in <F>. Essential classes die at 0; pairs of zero length count only as "
                         "isolated grains, which "
                         "are rough.",
-                        "S1 Sec. II.C, Figs. 5, 6; PHYSICS sec. 4"},
+                        "S1 Sec. II.C, Figs. 5, 6; theory sec. 4"},
                        {{"b0_rough", "", "components: short-lived, isolated grains among them"},
                         {"b0_strong", "", "components born at 2.5 <F> or more"},
                         {"b0_medium", "", "components born between <F> and 2.5 <F>"},
@@ -51,7 +51,7 @@ Measure total_persistence_measure() {
       {"total_persistence", "total persistence",
        "TP_k = sum of birth - death over the points of dimension k, essential classes included (death 0); "
        "divide by the number of grains to compare systems",
-       "S2 Sec. 5; PHYSICS sec. 4"},
+       "S2 Sec. 5; theory sec. 4"},
       {{"tp0", "<F>", "of the components"}, {"tp1", "<F>", "of the loops"}}, [](const Snapshot& s) {
         return std::vector<double>{total_persistence(s.diagram(), 0), total_persistence(s.diagram(), 1)};
       });
@@ -62,7 +62,7 @@ Measure betti_measure() {
       {"betti", "Betti numbers",
        "b_k(theta) = classes of dimension k with death < theta <= birth: components and loops of the network of forces "
        "f >= theta, triangles filled. An isolated grain has value 0 and counts at theta = 0 only.",
-       "S1 App. B; PHYSICS sec. 4"},
+       "S1 App. B; theory sec. 4"},
       {{"threshold", "<F>", "theta"}, {"b0", "", "components"}, {"b1", "", "loops of four contacts or more"}}, 1, true,
       [](const Snapshot& s) -> std::vector<std::vector<double>> {
         std::vector<double> grid = threshold_grid(s.options().betti_max, s.options().betti_step);
@@ -77,7 +77,7 @@ Measure diagram_measure() {
        "points (birth, death) of the superlevel filtration of the force network's clique complex: a class is born at "
        "the "
        "largest threshold where it is there and dies at a smaller one; essential classes never die and have death 0.",
-       "S1 Sec. II.B, App. B; PHYSICS sec. 4"},
+       "S1 Sec. II.B, App. B; theory sec. 4"},
       {{"dimension", "", "0 components, 1 loops, 2 voids"},
        {"birth", "<F>", "threshold at which the class appears"},
        {"death", "<F>", "threshold at which it is gone"},

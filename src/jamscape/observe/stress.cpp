@@ -34,7 +34,7 @@ Measure stress_measure() {
        "sigma_ab = (1/V) sum_c f_a l_b, f the force on a grain, l from its centre to the contact point, wall contacts "
        "included, V the box between the walls (bead-centre lines for bead walls). Negative trace in compression; "
        "pressure = -trace/D. Off-diagonal elements are symmetrised; elements with z are 0 in two dimensions.",
-       "S3 Eq. 8; PHYSICS sec. 4"},
+       "S3 Eq. 8; theory sec. 4"},
       {{"stress_xx", unit, "negative in compression"},
        {"stress_yy", unit, "negative in compression"},
        {"stress_xy", unit, "shear stress"},

@@ -8,7 +8,7 @@
 // point: pressure = wall_pressure for smooth flat walls; lower by order d/L for bead walls, whose contact points lie
 // inside the square of bead-centre lines; lower too where rough walls carry part of the load along themselves.
 // Off-diagonal elements are symmetrised by the measure (their difference is the net torque on the grains).
-// Source: S3 Eq. 8; PHYSICS sec. 4.
+// Source: S3 Eq. 8; theory sec. 4.
 #pragma once
 
 #include <array>

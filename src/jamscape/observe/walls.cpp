@@ -33,7 +33,7 @@ Measure walls_measure() {
        "is pushed outward. wall_pressure: mean over the walls of force over length (area). Walls that are not there "
        "have "
        "force 0.",
-       "PHYSICS sec. 1"},
+       "theory sec. 1"},
       {{"wall_force_x_lo", unit, "normal force on the wall at small x"},
        {"wall_force_x_hi", unit, "normal force on the wall at large x"},
        {"wall_force_y_lo", unit, "normal force on the wall at small y"},

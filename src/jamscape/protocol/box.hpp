@@ -1,4 +1,4 @@
-// Packing fraction and box length, in the conventions of PHYSICS sec. 6a.
+// Packing fraction and box length, in the conventions of theory sec. 6a.
 #pragma once
 
 #include "jamscape/protocol/options.hpp"

@@ -54,7 +54,7 @@ struct EnumNames<WallModel> {
       {WallModel::beads, "beads"}, {WallModel::flat, "flat"}, {WallModel::periodic, "periodic"}};
 };
 
-/// Where a box of bead walls ends (PHYSICS sec. 6a); L is the side between the lines of bead centres, d the bead
+/// Where a box of bead walls ends (theory sec. 6a); L is the side between the lines of bead centres, d the bead
 /// diameter: bead_centre L^2; inner_tangent (L - d)^2; half_beads L^2 - 4 L pi d / 8.
 enum class BoxConvention { half_beads, bead_centre, inner_tangent };
 template <>
@@ -98,9 +98,9 @@ struct DomainOptions {
     v.option("bead_phase", bead_phase,
              {.text = "shift of the rows of beads along themselves", .unit = "d", .min = 0, .max = 1});
     v.option("bead_rows", bead_rows, {.text = "rows of beads keep their spacing, or close up with the box"});
-    v.option("box", box, {.text = "where a box of bead walls ends, for the packing fraction", .source = "PHYSICS 6a"});
+    v.option("box", box, {.text = "where a box of bead walls ends, for the packing fraction", .source = "theory 6a"});
     v.option("area", area,
-             {.text = "grain area in the packing fraction: N pi d^2/4, or the true sum", .source = "PHYSICS 6a"});
+             {.text = "grain area in the packing fraction: N pi d^2/4, or the true sum", .source = "theory 6a"});
   }
 };
 

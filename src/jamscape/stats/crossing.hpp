@@ -4,7 +4,7 @@
 //
 // A curve crosses upward where a sample below the level is followed by one at or above it, downward where one at or
 // above is followed by one below. The Z(phi) of a packing may cross 3 several times in the dilute state; jamming is its
-// last upward crossing (S1 Table I; PHYSICS sec. 4).
+// last upward crossing (S1 Table I; theory sec. 4).
 #pragma once
 
 #include <optional>

@@ -2,7 +2,7 @@
 //
 //   y = a + b x + c/(1 + exp(-(x - x0)/w)),
 //
-// whose second derivative changes sign at x0. Used for the jump of Z(phi) at jamming (S1 Table I, S2 Sec. 4; PHYSICS
+// whose second derivative changes sign at x0. Used for the jump of Z(phi) at jamming (S1 Table I, S2 Sec. 4; theory
 // sec. 4). The line takes up the slopes on both sides of the jump; where these differ much (Z grows like a square root
 // above jamming) x0 moves by a fraction of w, so narrow the range of x around the jump.
 #pragma once

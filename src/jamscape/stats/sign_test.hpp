@@ -2,7 +2,7 @@
 //
 //   t = (mean_a - mean_b)/sqrt(se_a^2 + se_b^2),
 //
-// decided where |t| exceeds a number of standard errors (2 in PHYSICS sec. 6a).
+// decided where |t| exceeds a number of standard errors (2 in theory sec. 6a).
 #pragma once
 
 #include "jamscape/stats/moments.hpp"

@@ -1,4 +1,4 @@
-// Where a system jams, by every reading of "Z reaches 3" that PHYSICS sec. 6a lists. DIR/ensemble/transitions.csv:
+// Where a system jams, by every reading of "Z reaches 3" that theory sec. 6a lists. DIR/ensemble/transitions.csv:
 //
 //   system, <options that differ between systems>, quantity, n, value, se
 //

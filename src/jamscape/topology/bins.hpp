@@ -1,4 +1,4 @@
-// Counts of a diagram's points in the four regions of S1 Fig. 3: rough, strong, medium, weak (PHYSICS sec. 4).
+// Counts of a diagram's points in the four regions of S1 Fig. 3: rough, strong, medium, weak (theory sec. 4).
 //
 //   rough   birth - death < rough           (short-lived: geometric noise)
 //   strong  otherwise, strong <= birth

@@ -5,7 +5,7 @@
 // born at `birth` and dies at `death` <= birth. A class that never dies has death 0 and essential = true. Pairs of zero
 // length are dropped unless asked for; essential classes are always kept, also the pairs (0, 0) of isolated vertices.
 // Cells of equal value enter by increasing index, so the pairs of cells are the same on every run. Source: S1 App. B;
-// conventions PHYSICS sec. 4.
+// conventions theory sec. 4.
 #pragma once
 
 #include <cstdint>

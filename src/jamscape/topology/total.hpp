@@ -1,5 +1,5 @@
 // Total persistence: TP_k = sum of birth - death over the points of dimension k, essential ones (death 0) included.
-// S2 Sec. 5; divide by the number of grains to compare systems (PHYSICS sec. 4).
+// S2 Sec. 5; divide by the number of grains to compare systems (theory sec. 4).
 #pragma once
 
 #include "jamscape/topology/persistence.hpp"

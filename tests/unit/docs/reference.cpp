@@ -32,7 +32,7 @@ std::string options_page() {
       "{}\n\n# Options of a study file\n\n"
       "`jamscape explain KEY` prints the same. Numbers are in scaled units: the mean diameter d, the mean mass m "
       "and the collision time tau_c. Options of a stage stand in a `[[stage]]` table, or as `stage.NAME.key` in a "
-      "`[[system]]`. Sources: S1 and S2 as in [references.bib](../references.bib), PHYSICS is "
+      "`[[system]]`. Sources: S1 and S2 as in [references.bib](../references.bib), theory is "
       "[theory.md](../theory.md).\n",
       origin);
   std::string group = "?";

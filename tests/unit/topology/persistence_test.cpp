@@ -69,7 +69,7 @@ WeightedGraph complete(std::uint32_t n) {
   return network(n, edges);
 }
 
-// The golden cases of PHYSICS sec. 4.
+// The golden cases of theory sec. 4.
 
 TEST(Golden, square_is_a_loop_that_never_dies) {
   const auto d = diagram(network(4, {{0, 1, 4}, {1, 2, 3}, {2, 3, 2}, {3, 0, 1}}));

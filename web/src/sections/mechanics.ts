@@ -27,7 +27,7 @@ export const mechanics: Section = {
           "The mechanical state of the packings in units of the study (<i>d</i>, <i>m</i>, <i>τ</i><sub>c</sub>). Pressure and elastic energy " +
           "rise where the packing jams; the two pressures differ where rough walls carry shear. The unbalanced force says how " +
           "far from rest the grains are.",
-        source: "PHYSICS Sec. 4; S3 Eq. 8.",
+        source: "theory sec. 4; S3 Eq. 8.",
         formula: "<i>p</i> = −tr <i>σ</i>/<i>D</i>, <i>σ<sub>ab</sub></i> = (1/<i>V</i>) Σ<sub>c</sub> <i>f<sub>a</sub> l<sub>b</sub></i>",
       }),
     ];
