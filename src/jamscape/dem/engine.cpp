@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/dem/spin.hpp"
 
 namespace jam {
 namespace {
@@ -209,11 +210,7 @@ void Engine<D>::touch_planes() {
     const double lever = row[R::radius] - wall_law_.lever_cut * x;
     double* f = bodies_.forces.data() + k * R::force_stride;
     auto apply = [&]<NormalLaw law>() {
-      Axial<D> lw;
-      if constexpr (D == 2)
-        lw = lever * row[R::spin];
-      else
-        lw = {lever * row[R::spin], lever * row[R::spin + 1], lever * row[R::spin + 2]};
+      const Axial<D> lw = levered_spin<D>(row, lever);
       const auto t = touch<D, law, true>(wall_law_, n, x, bodies_.mass[k], v, lw, spring, dt_);
       Vec<D> force;
       if constexpr (D == 2) {

@@ -1,17 +1,10 @@
 // One pair after another: the reference.
 #include "jamscape/dem/integrate_body.hpp"
 #include "jamscape/dem/kernel.hpp"
+#include "jamscape/dem/spin.hpp"
 
 namespace jam {
 namespace {
-
-template <int D>
-Axial<D> levered(const double* row, double lever) {
-  if constexpr (D == 2)
-    return lever * row[Row<D>::spin];
-  else
-    return {lever * row[Row<D>::spin], lever * row[Row<D>::spin + 1], lever * row[Row<D>::spin + 2]};
-}
 
 template <int D, NormalLaw law, bool friction>
 void pair_loop(const PairArrays& p, const PairRange& range) {
@@ -50,7 +43,7 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
     const double r = square_root(r2), inverse = 1.0 / r, x = reach - r;
     const Vec<D> n = inverse * d;
     const double lever_i = a[R::radius] - range.law.lever_cut * x, lever_j = b[R::radius] - range.law.lever_cut * x;
-    const Axial<D> lw = levered<D>(a, lever_i) + levered<D>(b, lever_j);
+    const Axial<D> lw = levered_spin<D>(a, lever_i) + levered_spin<D>(b, lever_j);
     const auto f = touch<D, law, friction>(range.law, n, x, p.mbar[k], v, lw, spring, p.dt);
     p.tally->damped[slot] += f.damped;
     p.tally->rubbed[slot] += f.rubbed;

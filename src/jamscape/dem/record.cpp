@@ -6,6 +6,7 @@
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/dem/engine.hpp"
+#include "jamscape/dem/spin.hpp"
 
 namespace jam {
 namespace {
@@ -15,14 +16,6 @@ Vec3 widen(const Vec<D>& a) {
   Vec3 b{};
   for (int c = 0; c < D; ++c) b[c] = a[c];
   return b;
-}
-
-template <int D>
-Axial<D> levered(const double* row, double lever) {
-  if constexpr (D == 2)
-    return lever * row[Row<D>::spin];
-  else
-    return {lever * row[Row<D>::spin], lever * row[Row<D>::spin + 1], lever * row[Row<D>::spin + 2]};
 }
 
 template <int D>
@@ -166,7 +159,7 @@ Packing Engine<D>::record() const {
     t.x = reach - r;
     t.mbar = pairs_.mbar[k];
     t.lever_i = a[R::radius] - law.lever_cut * t.x;
-    t.lw = levered<D>(a, t.lever_i) + levered<D>(b, b[R::radius] - law.lever_cut * t.x);
+    t.lw = levered_spin<D>(a, t.lever_i) + levered_spin<D>(b, b[R::radius] - law.lever_cut * t.x);
     for (int e = 0; e < D; ++e)
       t.v[e] = a[R::velocity + static_cast<std::size_t>(e)] - b[R::velocity + static_cast<std::size_t>(e)];
     if constexpr (D == 2)
@@ -213,7 +206,7 @@ Packing Engine<D>::record() const {
     t.x = x;
     t.mbar = bodies_.mass[i];
     t.lever_i = a[R::radius] - wall_law_.lever_cut * x;
-    t.lw = levered<D>(a, t.lever_i);
+    t.lw = levered_spin<D>(a, t.lever_i);
     for (int e = 0; e < D; ++e) t.v[e] = a[R::velocity + static_cast<std::size_t>(e)];
     t.v[wall.axis] -= wall.velocity;
     t.spring = plane_spring_[q];
