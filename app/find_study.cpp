@@ -14,6 +14,10 @@ Study find_study(const std::string& name, const std::vector<std::string>& settin
   std::vector<Setting> changes;
   for (const std::string& text : settings) changes.push_back(read_setting(text));
   std::error_code ignored;
+  // A plain name of a built-in study means that study, even beside a file of that name such as the script `quickstart`.
+  const std::string_view own = name.ends_with(".toml") ? std::string_view() : builtin_file(name + ".toml");
+  if (!own.empty() && !std::filesystem::is_directory(name, ignored))
+    return read_study_text(own, "(built-in) " + name + ".toml", changes);
   if (std::filesystem::exists(name, ignored) || name.find('/') != std::string::npos) return read_study(name, changes);
   const std::string file = name.ends_with(".toml") ? name : name + ".toml";
   if (const std::string_view text = builtin_file(file); !text.empty())

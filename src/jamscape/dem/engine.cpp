@@ -12,8 +12,8 @@ namespace {
 
 /// The skin weighs the cost of making lists against that of listed pairs that do not touch. Both are lowest together at
 /// sqrt(list_cost * closing), closing = how much nearer two bodies may come in a step, list_cost = the cost of a list
-/// over the cost of testing the pairs one more diameter of skin would list (measured: 30 to 50). Bounds in grain
-/// diameters.
+/// over the cost of testing the pairs one more diameter of skin would list (estimated from a profile, not tuned).
+/// Bounds in grain diameters.
 constexpr double list_cost = 40, thinnest_skin = 0.01, widest_skin = 0.3;
 /// Grains are put back into spatial order at every so-manieth list.
 constexpr std::int64_t lists_per_order = 16;

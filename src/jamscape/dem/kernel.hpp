@@ -84,7 +84,13 @@ struct Kernels {
 
 /// The readable one: a loop over pairs and one over bodies. Oracle of the others.
 const Kernels& plain_kernels();
-/// The widest this processor runs; JAMSCAPE_KERNELS=plain|avx2|avx512 in the environment picks another.
+/// All that this processor runs, narrowest first.
+struct KernelList {
+  const Kernels* entry[3];
+  int count;
+};
+KernelList available_kernels();
+/// The widest this processor runs; JAMSCAPE_KERNELS=plain|avx512 in the environment picks another.
 const Kernels& best_kernels();
 
 }  // namespace jam
