@@ -9,13 +9,15 @@
 namespace jam {
 
 #ifdef JAM_X86
+const Kernels& avx2_kernels();
 const Kernels& avx512_kernels();
 #endif
 
 KernelList available_kernels() {
   KernelList list{{&plain_kernels()}, 1};
 #ifdef JAM_X86
-  // Not offered: avx2_kernels(). It gives wrong forces where few pairs touch (sparse runs); the cause is not found yet.
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
+    list.entry[list.count++] = &avx2_kernels();
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd"))
     list.entry[list.count++] = &avx512_kernels();

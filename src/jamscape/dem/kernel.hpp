@@ -90,7 +90,7 @@ struct KernelList {
   int count;
 };
 KernelList available_kernels();
-/// The widest this processor runs; JAMSCAPE_KERNELS=plain|avx512 in the environment picks another.
+/// The widest this processor runs; JAMSCAPE_KERNELS=plain|avx2|avx512 in the environment picks another.
 const Kernels& best_kernels();
 
 }  // namespace jam
