@@ -20,10 +20,27 @@ enum class Rows {
           ///< packing fractions that are not multiples of MeasureOptions::rows_every
 };
 
+/// How realisations of one state are averaged. A missing value (NaN) never counts.
+enum class Averaging {
+  mean,                ///< mean over the realisations
+  nonzero_or_missing,  ///< mean over those with a non-zero value; missing when fewer than half have one (S2: N_per/N)
+  nonzero_or_zero,     ///< 0 when at least half are 0, else the mean over the non-zero ones (S2: S_p)
+};
+
 struct ColumnInfo {
   std::string name;  ///< as in CSV headers, snake_case
   std::string unit;  ///< "" where it has none
   std::string text;  ///< one sentence
+  Averaging averaging = Averaging::mean;
+};
+
+/// A quantity of the ensemble that is a ratio of sums over its realisations, sum(over)/sum(under), and not the mean of
+/// their ratios; its error by jackknife over the realisations. Missing where sum(under) is 0.
+struct PooledRatio {
+  std::string name;   ///< column of the ensemble's table
+  std::string over;   ///< column of the measure
+  std::string under;  ///< column of the measure
+  std::string text;   ///< one sentence
 };
 
 struct Measure {
@@ -36,6 +53,7 @@ struct Measure {
   int abscissae = 0;                ///< Rows::many: how many leading columns name the row (bin centre, threshold, ...)
   bool averaged = true;             ///< false: rows are points, not bins; no ensemble mean is taken (diagrams)
   std::function<Table(const Snapshot&)> evaluate;
+  std::vector<PooledRatio> ratios = {};
 };
 
 /// All measures, in the order of the documentation.
