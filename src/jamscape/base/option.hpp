@@ -15,17 +15,14 @@
 
 namespace jam {
 
-/// What physics an option's value depends on; decides which units a value given as text ("1.735 cm") may carry.
-enum class Dimension { none, length, time, mass, speed, acceleration, force, pressure, stiffness, density };
-
 struct OptionMeta {
   std::string_view text;                                  ///< one sentence: what it is
-  std::string_view unit = "";                             ///< unit of a bare number in scaled studies, e.g. "d/tau_c"
+  std::string_view unit = "";                             ///< of a bare number, in scaled units: "d/tau_c" (units.hpp)
   double min = -std::numeric_limits<double>::infinity();  ///< smallest allowed value
   double max = std::numeric_limits<double>::infinity();   ///< largest allowed value
   bool above_min = false;                                 ///< true: min itself is not allowed
-  Dimension dimension = Dimension::none;
-  std::string_view source = "";  ///< paper and place, e.g. "S1 App. A"
+  bool si = false;                                        ///< true: `unit` is an SI unit, "Pa"
+  std::string_view source = "";                           ///< paper and place, e.g. "S1 App. A"
 };
 
 /// Names of an enum's values as they stand in study files; specialise for each enum used as an option:

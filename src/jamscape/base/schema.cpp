@@ -7,7 +7,6 @@
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/nearest.hpp"
-#include "jamscape/base/units.hpp"
 
 namespace jam {
 namespace {
@@ -44,14 +43,14 @@ void check_range(const Option& option, double value, const std::string& place) {
                     place, fmt::format("jamscape explain {}", option.key));
 }
 
-double number(const Option& option, const Written& written) {
+double number(const Option& option, const Written& written, const Scales& scales) {
   double value = 0;
   if (const auto* x = std::get_if<double>(&written.value))
     value = *x;
   else if (const auto* n = std::get_if<std::int64_t>(&written.value))
     value = static_cast<double>(*n);
   else if (const auto* text = std::get_if<std::string>(&written.value))
-    value = read_quantity(*text, option.key, option.meta, written.place);
+    value = read_quantity(*text, option.key, option.meta, written.place, scales);
   else
     throw_wrong_type(option, written);
   check_range(option, value, written.place);
@@ -60,7 +59,7 @@ double number(const Option& option, const Written& written) {
 
 }  // namespace
 
-void assign(const Option& option, const Written& written) {
+void assign(const Option& option, const Written& written, const Scales& scales) {
   const auto wanted = [&]<class T>(T*) -> const T& {
     if (const T* value = std::get_if<T>(&written.value)) return *value;
     throw_wrong_type(option, written);
@@ -74,10 +73,10 @@ void assign(const Option& option, const Written& written) {
                         check_range(option, static_cast<double>(value), written.place);
                         *p = value;
                       },
-                      [&](double* p) { *p = number(option, written); }, [&](std::string* p) { *p = wanted(p); },
+                      [&](double* p) { *p = number(option, written, scales); }, [&](std::string* p) { *p = wanted(p); },
                       [&](std::vector<double>* p) {
                         std::vector<double> values;
-                        for (const Written& item : items()) values.push_back(number(option, item));
+                        for (const Written& item : items()) values.push_back(number(option, item, scales));
                         *p = std::move(values);
                       },
                       [&](std::vector<std::string>* p) {

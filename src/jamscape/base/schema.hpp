@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "jamscape/base/option.hpp"
+#include "jamscape/base/units.hpp"
 
 namespace jam {
 
@@ -83,7 +84,8 @@ std::vector<Option> options_of(S& s, std::string prefix = {}) {
 }
 
 /// Sets the option; throws a usage error (place, reason, what is allowed) for a wrong type, unit, name or range.
-void assign(const Option& option, const Written& written);
+/// Numbers written as text with an SI unit are converted with `scales`.
+void assign(const Option& option, const Written& written, const Scales& scales = {});
 
 /// The present value as TOML; numbers in their shortest form that reads back to the same bits.
 std::string print_value(const Option& option);
