@@ -171,7 +171,8 @@ std::string si_unit(const Dimensions& d) {
   }
   if (over.empty() && under.empty()) return "a bare number";
   std::string text = over.empty() ? "1" : names_with_powers(over);
-  if (!under.empty()) text += fmt::format(under.size() == 1 ? "/{}" : "/({})", names_with_powers(under));
+  if (under.size() == 1) text += fmt::format("/{}", names_with_powers(under));
+  if (under.size() > 1) text += fmt::format("/({})", names_with_powers(under));
   return text;
 }
 
