@@ -9,13 +9,9 @@
 #include <vector>
 
 #include "jamscape/network/graph.hpp"
+#include "jamscape/network/level.hpp"
 
 namespace jam {
-
-enum class Level {
-  at_least,  ///< weight >= threshold
-  above,     ///< weight > threshold
-};
 
 struct Components {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;

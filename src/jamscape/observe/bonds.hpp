@@ -20,6 +20,7 @@ struct Bonds {
 
   std::size_t size() const { return contact.size(); }
   std::uint32_t degree(std::size_t grain) const { return grains[grain] + walls[grain]; }
+  bool rattles(std::size_t grain) const { return degree(grain) < 2; }
 };
 
 /// Throws a data error where a contact names a body that is not there, or the contacts are not sorted.

@@ -10,10 +10,9 @@ Coordination coordination(const Bonds& bonds) {
   if (n == 0) return c;
   std::size_t multi = 0, contacts_of_multi = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t degree = bonds.degree(i);
-    if (degree < 2) continue;
+    if (bonds.rattles(i)) continue;
     ++multi;
-    contacts_of_multi += degree;
+    contacts_of_multi += bonds.degree(i);
   }
   const auto grains = static_cast<double>(n), both_ends = 2 * static_cast<double>(bonds.size());
   c.z = both_ends / grains;

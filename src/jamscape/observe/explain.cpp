@@ -28,10 +28,26 @@ std::string plain(std::string_view text) {
   return out;
 }
 
+/// What a column of the ensemble holds where it is no plain mean.
+std::string averaged(Averaging averaging) {
+  if (averaging == Averaging::nonzero_or_missing)
+    return "; averaged over realisations with a value other than 0, missing if fewer than half have one";
+  if (averaging == Averaging::nonzero_or_zero)
+    return "; averaged over realisations with a value other than 0, 0 if at least half are 0";
+  return "";
+}
+
+std::string pooled(const PooledRatio& r) {
+  return fmt::format("{} = sum({})/sum({}) over realisations", r.text, r.over, r.under);
+}
+
 const Measure* giving(std::string_view column) {
-  for (const Measure& m : measures())
+  for (const Measure& m : measures()) {
     for (const ColumnInfo& c : m.columns)
       if (c.name == column) return &m;
+    for (const PooledRatio& r : m.ratios)
+      if (r.name == column) return &m;
+  }
   return nullptr;
 }
 
@@ -42,7 +58,9 @@ std::string explain(const Measure& m) {
   std::size_t widest = 0;
   for (const ColumnInfo& c : m.columns) widest = std::max(widest, c.name.size());
   for (const ColumnInfo& c : m.columns)
-    text += fmt::format("    {:<{}}  {}{}\n", c.name, widest, c.text, c.unit.empty() ? "" : " [" + c.unit + "]");
+    text += fmt::format("    {:<{}}  {}{}{}\n", c.name, widest, c.text, averaged(c.averaging),
+                        c.unit.empty() ? "" : " [" + c.unit + "]");
+  for (const PooledRatio& r : m.ratios) text += fmt::format("    ensemble: {}  {}\n", r.name, pooled(r));
   return text;
 }
 
@@ -59,7 +77,9 @@ std::string measures_reference() {
     text += fmt::format("\n## {}\n\n{}: {}\n\nSource: {}. Gives {}.\n\n| column | unit | meaning |\n|---|---|---|\n",
                         m.name, plain(m.title), plain(m.formula), plain(m.source), plain(where(m)));
     for (const ColumnInfo& c : m.columns)
-      text += fmt::format("| `{}` | {} | {} |\n", c.name, plain(c.unit), plain(c.text));
+      text += fmt::format("| `{}` | {} | {} |\n", c.name, plain(c.unit), plain(c.text + averaged(c.averaging)));
+    for (const PooledRatio& r : m.ratios)
+      text += fmt::format("\nIn the ensemble also `{}`: {}.\n", r.name, plain(pooled(r)));
   }
   return text;
 }

@@ -5,7 +5,9 @@
 namespace jam {
 
 Histogram force_distribution(const ForceNetwork& network, const MeasureOptions& options) {
-  Histogram h(Spacing::logarithmic, options.force_min, options.force_max, static_cast<std::size_t>(options.force_bins));
+  const bool linear = options.force_scale == ForceScale::linear;
+  Histogram h(linear ? Spacing::linear : Spacing::logarithmic, options.force_min, options.force_max,
+              static_cast<std::size_t>(options.force_bins));
   if (network.mean_force > 0)
     for (const double f : network.force) h.add(f / network.mean_force);
   return h;
@@ -16,8 +18,8 @@ Measure force_distribution_measure() {
                        "P(F): density of F/<F> over the contacts between grains, not clamped; forces outside the bins "
                        "count in the norm, "
                        "so the integral over the bins is at most 1.",
-                       "S1 Sec. III.B, Figs. 9, 10"},
-                      {{"force", "<F>", "geometric centre of the bin"},
+                       "S1 Sec. III.B, Figs. 9, 10; S2 Sec. 4.1, Fig. 3"},
+                      {{"force", "<F>", "centre of the bin: the geometric one for logarithmic bins"},
                        {"density", "1/<F>", "P(F)"},
                        {"count", "", "contacts in the bin"}},
                       1, true, [](const Snapshot& s) -> std::vector<std::vector<double>> {

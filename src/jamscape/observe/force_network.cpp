@@ -18,11 +18,12 @@ ForceNetwork force_network(const Packing& packing, const Bonds& bonds, const Mea
   ForceNetwork net;
   WeightedGraph& g = net.graph;
   g.vertices = static_cast<std::uint32_t>(packing.grains.size());
+  for (std::size_t i = 0; i < packing.grains.size(); ++i) net.grains += !options.remove_rattlers || !bonds.rattles(i);
   for (auto* ids : {&g.from, &g.to, &net.contact}) ids->reserve(bonds.size());
   net.force.reserve(bonds.size());
   for (const std::uint32_t c : bonds.contact) {
     const std::uint32_t i = k.i[c], j = static_cast<std::uint32_t>(k.j[c]);
-    if (options.remove_rattlers && (bonds.degree(i) < 2 || bonds.degree(j) < 2)) continue;
+    if (options.remove_rattlers && (bonds.rattles(i) || bonds.rattles(j))) continue;
     g.from.push_back(i);
     g.to.push_back(j);
     net.contact.push_back(c);

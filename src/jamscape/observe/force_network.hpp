@@ -22,6 +22,7 @@ namespace jam {
 struct ForceNetwork {
   WeightedGraph graph;                 ///< vertices = grains (index as in Packing::grains); weights in mean forces
   double mean_force = 0;               ///< mean over the edges kept, before normalisation and clamp
+  std::size_t grains = 0;              ///< all grains, or without the rattlers where they are removed
   std::vector<std::uint32_t> contact;  ///< of each edge: the index of its (first) contact in Packing::contacts
   std::vector<double> force;           ///< of each edge: |F| before normalisation and clamp
 };

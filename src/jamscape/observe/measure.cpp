@@ -2,6 +2,7 @@
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/nearest.hpp"
+#include "jamscape/observe/backbone.hpp"
 #include "jamscape/observe/balance.hpp"
 #include "jamscape/observe/bond_order.hpp"
 #include "jamscape/observe/box.hpp"
@@ -9,7 +10,9 @@
 #include "jamscape/observe/coordination.hpp"
 #include "jamscape/observe/energy.hpp"
 #include "jamscape/observe/force_distribution.hpp"
+#include "jamscape/observe/level_sets.hpp"
 #include "jamscape/observe/pair_correlation.hpp"
+#include "jamscape/observe/percolation.hpp"
 #include "jamscape/observe/persistence_measures.hpp"
 #include "jamscape/observe/stress.hpp"
 #include "jamscape/observe/walls.hpp"
@@ -20,15 +23,18 @@ const std::vector<Measure>& measures() {
   static const std::vector<Measure> all = {
       contacts_measure(),
       coordination_measure(),
+      backbone_measure(),
       bond_order_measure(),
       persistence_bins_measure(),
       total_persistence_measure(),
+      percolation_measure(),
       stress_measure(),
       walls_measure(),
       balance_measure(),
       energy_measure(),
       box_measure(),
       betti_measure(),
+      level_sets_measure(),
       pair_correlation_measure(),
       force_distribution_measure(),
       diagram_measure(),

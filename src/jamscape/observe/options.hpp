@@ -16,6 +16,14 @@ struct EnumNames<EdgeForce> {
                                                                       {EdgeForce::total, "total"}};
 };
 
+/// Spacing of the bins of P(F).
+enum class ForceScale { log, linear };
+template <>
+struct EnumNames<ForceScale> {
+  static constexpr std::pair<ForceScale, std::string_view> values[] = {{ForceScale::log, "log"},
+                                                                       {ForceScale::linear, "linear"}};
+};
+
 struct MeasureOptions {
   EdgeForce force = EdgeForce::normal;
   double clamp = 5;              // in mean forces; 0: none
@@ -29,6 +37,10 @@ struct MeasureOptions {
   std::int64_t force_bins = 50;
   double betti_max = 5;
   double betti_step = 0.05;
+  ForceScale force_scale = ForceScale::log;
+  double level_max = 3;
+  double level_step = 0.05;
+  bool rough_includes_edge = false;
 
   template <class V>
   void describe(V& v) {
@@ -57,23 +69,38 @@ struct MeasureOptions {
               .max = 1000,
               .source = "theory sec. 4"});
     v.option("force_min", force_min,
-             {.text = "force distribution: lowest edge of the logarithmic bins, in mean forces",
+             {.text = "force distribution: lowest edge of the bins, in mean forces; above 0 for logarithmic ones",
               .min = 0,
               .max = 1e6,
-              .above_min = true,
               .source = "theory sec. 4"});
     v.option("force_max", force_max,
-             {.text = "force distribution: highest edge of the logarithmic bins, in mean forces",
+             {.text = "force distribution: highest edge of the bins, in mean forces",
               .min = 0,
               .max = 1e6,
               .above_min = true,
               .source = "theory sec. 4"});
     v.option("force_bins", force_bins, {.text = "force distribution: number of bins", .min = 1, .max = 1e5});
+    v.option("force_scale", force_scale,
+             {.text = "force distribution: logarithmic or linear bins", .source = "S1 Figs. 9, 10; S2 Fig. 3"});
     v.option("betti_max", betti_max,
              {.text = "Betti numbers: highest threshold, in mean forces", .min = 0, .max = 1e6});
     v.option("betti_step", betti_step,
              {.text = "Betti numbers: distance of the thresholds, in mean forces", .min = 1e-4, .max = 1e6});
+    v.option("level_max", level_max,
+             {.text = "level sets: highest threshold, in mean forces", .min = 0, .max = 1e6, .source = "S2 Sec. 3"});
+    v.option("level_step", level_step,
+             {.text = "level sets: distance of the thresholds, in mean forces",
+              .min = 1e-4,
+              .max = 1e6,
+              .source = "theory sec. 4"});
+    v.option("rough_includes_edge", rough_includes_edge,
+             {.text = "persistence bins: a lifetime of exactly 0.1 is rough (S2) or not (S1)",
+              .source = "S1 Sec. II.C, S2 Sec. 5.3"});
   }
 };
+
+/// What no single option can say: throws a usage error, placed at the key, where the bins of forces are empty or start
+/// at 0 on a logarithmic scale, or a grid of thresholds has more than a million steps.
+void check(const MeasureOptions& options);
 
 }  // namespace jam

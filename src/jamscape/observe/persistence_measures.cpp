@@ -1,32 +1,22 @@
 #include "jamscape/observe/persistence_measures.hpp"
 
-#include <cmath>
-
 #include "jamscape/observe/entry.hpp"
+#include "jamscape/observe/threshold_grid.hpp"
 #include "jamscape/topology/betti.hpp"
 #include "jamscape/topology/bins.hpp"
 #include "jamscape/topology/total.hpp"
 
 namespace jam {
 
-std::vector<double> threshold_grid(double max, double step) {
-  std::vector<double> grid;
-  for (std::size_t k = 0, n = static_cast<std::size_t>(std::floor(max / step + 1e-9)); k <= n; ++k) {
-    // Through whole numbers where possible, so that the 7th of .05 is .35 and not .35000000000000003.
-    const double per_unit = std::round(1 / step), i = static_cast<double>(k);
-    grid.push_back(std::abs(per_unit * step - 1) < 1e-12 ? i / per_unit : i * step);
-  }
-  return grid;
-}
-
 Measure persistence_bins_measure() {
   return frame_measure({"persistence_bins", "points of the persistence diagrams by strength",
-                        "N_k^*: points (b, d) of dimension k that are rough (b - d < 0.1), else strong (b >= 2.5), "
+                        "N_k^*: points (b, d) of dimension k that are rough (b - d < 0.1 in S1; <= 0.1 in S2, option "
+                        "rough_includes_edge), else strong (b >= 2.5), "
                         "medium (1 <= b < 2.5) or "
                         "weak (b < 1), forces in <F>. Essential classes die at 0; pairs of zero length count only as "
                         "isolated grains, which "
                         "are rough.",
-                        "S1 Sec. II.C, Figs. 5, 6; theory sec. 4"},
+                        "S1 Sec. II.C, Figs. 5, 6; S2 Sec. 5.3; theory sec. 4"},
                        {{"b0_rough", "", "components: short-lived, isolated grains among them"},
                         {"b0_strong", "", "components born at 2.5 <F> or more"},
                         {"b0_medium", "", "components born between <F> and 2.5 <F>"},
@@ -36,9 +26,11 @@ Measure persistence_bins_measure() {
                         {"b1_medium", "", "loops born between <F> and 2.5 <F>"},
                         {"b1_weak", "", "loops born below <F>"}},
                        [](const Snapshot& s) {
+                         BinOptions bins;
+                         bins.edge = s.options().rough_includes_edge ? RoughEdge::closed : RoughEdge::open;
                          std::vector<double> row;
                          for (const int dimension : {0, 1}) {
-                           const BinCounts b = persistence_bins(s.diagram(), dimension);
+                           const BinCounts b = persistence_bins(s.diagram(), dimension, bins);
                            for (const std::size_t n : {b.rough, b.strong, b.medium, b.weak})
                              row.push_back(static_cast<double>(n));
                          }
@@ -52,22 +44,34 @@ Measure total_persistence_measure() {
        "TP_k = sum of birth - death over the points of dimension k, essential classes included (death 0); "
        "divide by the number of grains to compare systems",
        "S2 Sec. 5; theory sec. 4"},
-      {{"tp0", "<F>", "of the components"}, {"tp1", "<F>", "of the loops"}}, [](const Snapshot& s) {
-        return std::vector<double>{total_persistence(s.diagram(), 0), total_persistence(s.diagram(), 1)};
+      {{"tp0", "<F>", "of the components"},
+       {"tp1", "<F>", "of the loops"},
+       {"tp2", "<F>", "of the voids; 0 in two dimensions"}},
+      [](const Snapshot& s) {
+        std::vector<double> row;
+        for (const int dimension : {0, 1, 2}) row.push_back(total_persistence(s.diagram(), dimension));
+        return row;
       });
 }
 
 Measure betti_measure() {
   return rows_measure(
       {"betti", "Betti numbers",
-       "b_k(theta) = classes of dimension k with death < theta <= birth: components and loops of the network of forces "
-       "f >= theta, triangles filled. An isolated grain has value 0 and counts at theta = 0 only.",
+       "b_k(theta) = classes of dimension k with death < theta <= birth: components, loops and voids of the network of "
+       "forces f >= theta, cliques filled. An isolated grain has value 0 and counts at theta = 0 only.",
        "S1 App. B; theory sec. 4"},
-      {{"threshold", "<F>", "theta"}, {"b0", "", "components"}, {"b1", "", "loops of four contacts or more"}}, 1, true,
-      [](const Snapshot& s) -> std::vector<std::vector<double>> {
-        std::vector<double> grid = threshold_grid(s.options().betti_max, s.options().betti_step);
-        const auto b0 = betti_curve(s.diagram(), 0, grid), b1 = betti_curve(s.diagram(), 1, grid);
-        return {std::move(grid), {b0.begin(), b0.end()}, {b1.begin(), b1.end()}};
+      {{"threshold", "<F>", "theta"},
+       {"b0", "", "components"},
+       {"b1", "", "loops of four contacts or more"},
+       {"b2", "", "voids; 0 in two dimensions"}},
+      1, true, [](const Snapshot& s) -> std::vector<std::vector<double>> {
+        const std::vector<double> grid = threshold_grid(s.options().betti_max, s.options().betti_step);
+        std::vector<std::vector<double>> columns{grid};
+        for (const int dimension : {0, 1, 2}) {
+          const auto curve = betti_curve(s.diagram(), dimension, grid);
+          columns.emplace_back(curve.begin(), curve.end());
+        }
+        return columns;
       });
 }
 

@@ -11,7 +11,4 @@ Measure total_persistence_measure();
 Measure betti_measure();
 Measure diagram_measure();
 
-/// 0, step, 2 step, ... up to max (included when it is a multiple of step).
-std::vector<double> threshold_grid(double max, double step);
-
 }  // namespace jam

@@ -1,5 +1,8 @@
 #include "jamscape/observe/snapshot.hpp"
 
+#include "jamscape/observe/box_sides.hpp"
+#include "jamscape/observe/threshold_grid.hpp"
+
 namespace jam {
 
 const Bonds& Snapshot::bonds() const {
@@ -15,6 +18,11 @@ const ForceNetwork& Snapshot::network() const {
 const Diagram& Snapshot::diagram() const {
   if (!diagram_) diagram_ = persistence(network().graph, {.max_dimension = packing_.dimension - 1});
   return *diagram_;
+}
+
+const std::vector<ClusterLevel>& Snapshot::levels() const {
+  if (!levels_) levels_ = cluster_levels(packing_, network(), threshold_grid(options_.level_max, options_.level_step));
+  return *levels_;
 }
 
 }  // namespace jam

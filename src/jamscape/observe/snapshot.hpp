@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "jamscape/network/level_sweep.hpp"
 #include "jamscape/observe/bonds.hpp"
 #include "jamscape/observe/force_network.hpp"
 #include "jamscape/observe/options.hpp"
@@ -24,6 +25,8 @@ class Snapshot {
   const ForceNetwork& network() const;
   /// Of the network's clique complex, in the homology dimensions 0 to D - 1.
   const Diagram& diagram() const;
+  /// Clusters of the network at the thresholds of the level sets, the first of which is 0.
+  const std::vector<ClusterLevel>& levels() const;
 
  private:
   const Packing& packing_;
@@ -31,6 +34,7 @@ class Snapshot {
   mutable std::optional<Bonds> bonds_;
   mutable std::optional<ForceNetwork> network_;
   mutable std::optional<Diagram> diagram_;
+  mutable std::optional<std::vector<ClusterLevel>> levels_;
 };
 
 }  // namespace jam

@@ -1,8 +1,7 @@
 #include "jamscape/observe/walls.hpp"
 
-#include <cmath>
-
 #include "jamscape/observe/box.hpp"
+#include "jamscape/observe/box_sides.hpp"
 #include "jamscape/observe/entry.hpp"
 
 namespace jam {
@@ -13,12 +12,10 @@ WallForces wall_forces(const Packing& packing) {
   const double volume = box_volume(packing);
   double sum = 0;
   for (const Wall& wall : packing.walls) {
-    int axis = 0;
-    for (int a = 1; a < packing.dimension; ++a)
-      if (std::abs(wall.normal[a]) > std::abs(wall.normal[axis])) axis = a;
+    const int at = wall_side(wall, packing.dimension);
     const double force = -dot(wall.force, wall.normal);
-    f.normal[static_cast<std::size_t>(2 * axis + (wall.normal[axis] < 0))] += force;
-    if (volume > 0) sum += force / (volume / side[axis]);
+    f.normal[static_cast<std::size_t>(at)] += force;
+    if (volume > 0) sum += force / (volume / side[at / 2]);
   }
   if (!packing.walls.empty()) f.pressure = sum / static_cast<double>(packing.walls.size());
   return f;

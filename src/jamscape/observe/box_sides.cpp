@@ -1,0 +1,45 @@
+#include "jamscape/observe/box_sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jam {
+
+int wall_side(const Wall& wall, int dimension) {
+  int axis = 0;
+  for (int a = 1; a < dimension; ++a)
+    if (std::abs(wall.normal[a]) > std::abs(wall.normal[axis])) axis = a;
+  return 2 * axis + (wall.normal[axis] < 0);
+}
+
+std::vector<Sides> touched_sides(const Packing& packing) {
+  const Contacts& k = packing.contacts;
+  std::vector<Sides> sides(packing.grains.size(), 0);
+  for (std::size_t c = 0; c < k.size(); ++c) {
+    if (k.j[c] >= 0 || !(k.overlap[c] >= 0) || !(k.normal_force[c] > 0)) continue;
+    const int side = wall_side(packing.walls[static_cast<std::size_t>(-1 - k.j[c])], packing.dimension);
+    sides[k.i[c]] = static_cast<Sides>(sides[k.i[c]] | 1u << side);
+  }
+  return sides;
+}
+
+std::vector<BoxCopy> edge_images(const Packing& packing, const ForceNetwork& network) {
+  std::vector<BoxCopy> images;
+  if (std::none_of(packing.domain.periodic.begin(), packing.domain.periodic.end(), [](bool p) { return p; }))
+    return images;
+  images.reserve(network.contact.size());
+  for (const std::uint32_t c : network.contact) {
+    const auto& image = packing.contacts.image[c];
+    images.push_back({image[0], image[1], image[2]});
+  }
+  return images;
+}
+
+std::vector<ClusterLevel> cluster_levels(const Packing& packing, const ForceNetwork& network,
+                                         std::span<const double> thresholds) {
+  const std::vector<Sides> sides = touched_sides(packing);
+  const std::vector<BoxCopy> images = edge_images(packing, network);
+  return level_sweep(network.graph, thresholds, {sides, images});
+}
+
+}  // namespace jam

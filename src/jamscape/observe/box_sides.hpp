@@ -1,0 +1,26 @@
+// Which sides of the box the grains touch: what percolation needs to know of walls and periodic sides.
+#pragma once
+
+#include <vector>
+
+#include "jamscape/network/level_sweep.hpp"
+#include "jamscape/observe/force_network.hpp"
+#include "jamscape/packing/packing.hpp"
+
+namespace jam {
+
+/// The side of the box a wall stands on, by the direction of its normal: 2 axis, or 2 axis + 1 for the high side.
+int wall_side(const Wall& wall, int dimension);
+
+/// Of each grain the sides whose wall it touches: wall contacts with overlap >= 0 and positive normal force.
+std::vector<Sides> touched_sides(const Packing& packing);
+
+/// Of each edge the periodic copy of its second grain; empty where no side is periodic.
+std::vector<BoxCopy> edge_images(const Packing& packing, const ForceNetwork& network);
+
+/// Clusters of the force network at increasing thresholds. Percolation along an axis: from wall to wall, or around the
+/// box where it is periodic there.
+std::vector<ClusterLevel> cluster_levels(const Packing& packing, const ForceNetwork& network,
+                                         std::span<const double> thresholds);
+
+}  // namespace jam

@@ -1,0 +1,66 @@
+#include "jamscape/observe/level_sets.hpp"
+
+#include "jamscape/observe/entry.hpp"
+#include "jamscape/observe/threshold_grid.hpp"
+#include "jamscape/topology/betti.hpp"
+
+namespace jam {
+namespace {
+
+std::vector<std::vector<double>> level_sets(const Snapshot& s) {
+  std::vector<double> grid = threshold_grid(s.options().level_max, s.options().level_step);
+  std::vector<std::vector<double>> columns(4);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto curve = betti_curve(s.diagram(), static_cast<int>(k), grid, Level::above);
+    columns[k + 1].assign(curve.begin(), curve.end());
+  }
+  columns[0] = std::move(grid);
+
+  const auto grains = static_cast<double>(s.packing().grains.size());
+  const auto add = [&](const auto& value) {
+    std::vector<double>& column = columns.emplace_back();
+    for (const ClusterLevel& l : s.levels()) column.push_back(value(l));
+  };
+  const auto part = [](double of, double all) { return all > 0 ? of / all : 0.0; };
+  add([](const ClusterLevel& l) { return l.clusters; });
+  add([](const ClusterLevel& l) { return l.cluster_vertices; });
+  add([&](const ClusterLevel& l) { return part(l.cluster_vertices, grains); });
+  add([&](const ClusterLevel& l) { return part(l.cluster_vertices, grains * l.clusters); });
+  for (std::size_t a = 0; a < 3; ++a) add([&](const ClusterLevel& l) { return l.percolates[a] ? 1 : 0; });
+  add([&](const ClusterLevel& l) { return part(l.percolating_vertices, grains); });
+  add([](const ClusterLevel& l) { return l.shape; });
+  return columns;
+}
+
+}  // namespace
+
+Measure level_sets_measure() {
+  Measure m = rows_measure(
+      {"level_sets", "clusters, loops and percolation at each threshold",
+       "The network of forces F > F_th. b_k = classes of dimension k with death <= F_th < birth, cliques filled. A "
+       "cluster is a connected piece with an edge; it percolates where it joins two opposite walls (a wall contact of "
+       "positive force touches) or winds around a periodic box. <S>/N = (grains in clusters that do not percolate)/(N "
+       "clusters), N all grains; S_p = mean over clusters, percolating ones included, of edges/grains: (n - 1)/n for "
+       "an "
+       "open path, 1 for a ring.",
+       "S2 Sec. 4.2, 4.3, 5.1, 5.2; theory sec. 4"},
+      {{"threshold", "<F>", "F_th"},
+       {"b0", "", "pieces with an edge, percolating ones included"},
+       {"b1", "", "loops of four contacts or more"},
+       {"b2", "", "voids; 0 in two dimensions"},
+       {"clusters", "", "clusters that do not percolate"},
+       {"cluster_grains", "", "grains in clusters that do not percolate"},
+       {"cluster_fraction", "", "cluster_grains/N"},
+       {"mean_cluster", "", "<S>/N of this frame; 0 without clusters"},
+       {"percolating_x", "", "1 where a cluster percolates along x"},
+       {"percolating_y", "", "1 where a cluster percolates along y"},
+       {"percolating_z", "", "1 where a cluster percolates along z; 0 in two dimensions"},
+       {"percolating_grains", "", "N_per/N, grains in percolating clusters; 0 without", Averaging::nonzero_or_missing},
+       {"shape", "", "S_p; 0 without clusters", Averaging::nonzero_or_zero}},
+      1, true, level_sets);
+  m.ratios = {{"mean_cluster_pooled", "cluster_fraction", "clusters",
+               "<S>/N over all clusters of all realisations that do not percolate"}};
+  return m;
+}
+
+}  // namespace jam

@@ -1,0 +1,63 @@
+#include "jamscape/observe/percolation.hpp"
+
+#include <limits>
+#include <numeric>
+
+#include "jamscape/observe/entry.hpp"
+
+namespace jam {
+namespace {
+
+/// Edges of positive force of each grain.
+std::vector<std::uint32_t> degrees(const WeightedGraph& graph) {
+  std::vector<std::uint32_t> degree(graph.vertices, 0);
+  for (std::size_t e = 0; e < graph.edges(); ++e) {
+    if (!(graph.weight[e] > 0)) continue;
+    ++degree[graph.from[e]];
+    ++degree[graph.to[e]];
+  }
+  return degree;
+}
+
+double ratio(double over, double under) { return under > 0 ? over / under : 0; }
+
+}  // namespace
+
+double percolation_estimate(const std::vector<std::uint32_t>& degree) {
+  double sum = 0, pairs = 0;
+  for (const double k : degree) {
+    sum += k;
+    pairs += k * (k - 1);
+  }
+  return pairs > 0 ? sum / pairs : std::numeric_limits<double>::quiet_NaN();
+}
+
+Measure percolation_measure() {
+  return frame_measure(
+      {"percolation", "percolation of the force network",
+       "Clusters of the network of forces F > 0 that join two opposite walls, or wind around a periodic box. "
+       "percolation_estimate = <k>/(<k^2> - <k>), k the contacts of a grain in the network: the fraction of vertices "
+       "that a random network needs to percolate; missing where no grain has two.",
+       "S2 Sec. 4.3, Eq. 6; theory sec. 4"},
+      {{"percolates_x", "", "1 where a cluster percolates along x"},
+       {"percolates_y", "", "1 where a cluster percolates along y"},
+       {"percolates_z", "", "1 where a cluster percolates along z; 0 in two dimensions"},
+       {"percolates", "", "1 where a cluster percolates along any axis"},
+       {"percolating_fraction", "", "N_per/N, grains in percolating clusters; 0 without",
+        Averaging::nonzero_or_missing},
+       {"percolation_estimate", "", "fraction of grains that a random network with these contacts needs"},
+       {"mean_degree", "", "<k>, over the grains of the network: without rattlers where they are removed"}},
+      [](const Snapshot& s) {
+        const ClusterLevel& whole = s.levels().front();
+        const auto degree = degrees(s.network().graph);
+        const double ends = std::accumulate(degree.begin(), degree.end(), 0.0);
+        std::vector<double> row(whole.percolates.begin(), whole.percolates.end());
+        row.push_back(whole.percolating_clusters > 0 ? 1 : 0);
+        row.push_back(ratio(whole.percolating_vertices, s.network().graph.vertices));
+        row.push_back(percolation_estimate(degree));
+        row.push_back(ratio(ends, static_cast<double>(s.network().grains)));
+        return row;
+      });
+}
+
+}  // namespace jam
