@@ -28,6 +28,7 @@ std::string physics_text(const SystemOptions& system) {
     stage.name.clear();
     stage.frames = StageOptions{}.frames;
     stage.frames_at.clear();
+    stage.frames_inside = StageOptions{}.frames_inside;
     text += fmt::format("stage {}\n", k + 1);
     append_differing(std::move(stage), "stage.", text);
   }

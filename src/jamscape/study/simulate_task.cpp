@@ -96,7 +96,8 @@ std::string task_text(const Study& study, const Task& task) {
   Study one;
   one.info = {.name = task.hash, .title = "", .seed = study.info.seed, .realisations = 1, .targets = ""};
   one.base = study.systems[task.system].options;
-  one.systems = {{task.hash, one.base, {}}};
+  one.units = study.systems[task.system].units;
+  one.systems = {{task.hash, one.base, one.units, study.systems[task.system].scales, {}}};
   return print_study(one) +
          fmt::format(
              "\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\nphysics_key = {}\nrealisation = {}\n",

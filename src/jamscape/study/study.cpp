@@ -42,6 +42,24 @@ std::optional<std::string> value_of(SystemOptions system, const std::string& key
   return std::nullopt;
 }
 
+/// One line of `key = value` for each option that differs; the two structs are of one kind.
+template <class S>
+std::vector<std::string> differing(S s, S other, const std::string& prefix) {
+  const std::vector<Option> here = options_of(s, prefix), there = options_of(other, prefix);
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < here.size(); ++k)
+    if (const std::string value = print_value(here[k]); value != print_value(there[k]))
+      lines.push_back(here[k].key + " = " + value);
+  return lines;
+}
+
+/// Sections of a study with units; those left at 0 are not given.
+std::string print_units(const UnitOptions& units) {
+  std::string text;
+  for (const std::string& line : differing(units, UnitOptions{}, "")) text += line + "\n";
+  return text.empty() ? "" : "\n[units]\n" + text;
+}
+
 }  // namespace
 
 std::string stage_name(const SystemOptions& system, std::size_t index) {
@@ -54,6 +72,9 @@ std::string stage_name(const SystemOptions& system, std::size_t index) {
 
 std::vector<Option> system_options(SystemOptions& system) {
   std::vector<Option> options = options_of(system);
+  if (system.contact.law != NormalLaw::linear)
+    for (Option& o : options)
+      if (o.key == "contact.stiffness") o.meta.unit = "m/(d^0.5 tau_c^2)";
   for (std::size_t k = 0; k < system.stages.size(); ++k)
     for (Option& o : options_of(system.stages[k], "stage." + stage_name(system, k) + "."))
       options.push_back(std::move(o));
@@ -72,11 +93,14 @@ std::vector<std::string> differing_options(const SystemOptions& system, const Sy
 
 std::string print_study(const Study& study) {
   Study s = study;
-  std::string text = print_sections(options_of(s.info, "study.")) + print_sections(options_of(s.base));
+  std::string text =
+      print_sections(options_of(s.info, "study.")) + print_units(s.units) + print_sections(options_of(s.base));
   text += print_stages(s.base, "stage");
   for (const System& system : s.systems) {
     const bool own_stages = stage_names(system.options) != stage_names(s.base);
     text += fmt::format("\n[[system]]\nname = {}\n", print_text(system.name));
+    if (system.scales.known()) text += "# " + describe_scales(system.scales) + "\n";
+    for (const std::string& line : differing(system.units, s.units, "units.")) text += line + "\n";
     for (const std::string& line : differing_options(system.options, s.base))
       if (!own_stages || !line.starts_with("stage.")) text += line + "\n";
     if (own_stages) text += print_stages(system.options, "system.stage");
@@ -93,7 +117,8 @@ std::vector<std::string> varied_options(const Study& study) {
   SystemOptions first = study.systems.front().options;
   for (const Option& o : system_options(first)) {
     const bool list = std::holds_alternative<std::vector<double>*>(o.target);
-    const bool of_output = o.key.starts_with("stage.") && (o.key.ends_with(".name") || o.key.ends_with(".frames"));
+    const bool of_output = o.key.starts_with("stage.") && (o.key.ends_with(".name") || o.key.ends_with(".frames") ||
+                                                           o.key.ends_with(".frames_inside"));
     if (list || of_output) continue;
     const std::string value = print_value(o);
     bool everywhere = true, differs = false;
@@ -116,6 +141,7 @@ std::vector<KnownOption> known_options() {
       known.push_back({o.key, describe_type(o), describe_range(o.meta), print_value(o), o.meta});
   };
   append(options_of(s.info, "study."));
+  append(options_of(s.units, "units."));
   append(options_of(s.base));
   append(options_of(stage, "stage."));
   append(options_of(s.measures, "measure."));

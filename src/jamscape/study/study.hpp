@@ -2,6 +2,7 @@
 //
 //   [study]   name, title, seed, realisations, targets
 //   [grains] [domain] [contact] [integrator] [start]      options of all systems (protocol/options.hpp)
+//   [units]                                               what d, m and tau_c are in SI (unit_options.hpp)
 //   [[stage]]                                             the protocol, stage after stage
 //   [[system]] name = "...", grains.width = 0.2, stage.NAME.speed = 1e-4, ...
 //   [sweep]   grains.width = [0.1, 0.2]                   every system (or the bare study) times every combination
@@ -21,6 +22,7 @@
 #include "jamscape/base/schema.hpp"
 #include "jamscape/observe/options.hpp"
 #include "jamscape/protocol/options.hpp"
+#include "jamscape/study/unit_options.hpp"
 
 namespace jam {
 
@@ -68,12 +70,15 @@ struct MeasureChoice {
 struct System {
   std::string name;
   SystemOptions options;
+  UnitOptions units;
+  Scales scales;                              ///< what follows from them; 0 in a study without units
   std::map<std::string, std::string> places;  ///< where each key was written, as file:line:column
 };
 
 struct Study {
   StudyInfo info;
   SystemOptions base;           ///< what the systems share, as written
+  UnitOptions units;            ///< likewise
   std::vector<System> systems;  ///< resolved: overrides and sweep applied
   MeasureChoice measures;
   MeasureOptions measure;
