@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gudhi_diagram.hpp"
+#include "jamscape/topology/betti.hpp"
 #include "jamscape/topology/persistence.hpp"
 #include "networks.hpp"
 #include "read_network.hpp"
@@ -100,6 +101,28 @@ TEST(GudhiOnFiles, gives_the_same_points) {
     ++files;
   }
   EXPECT_GT(files, 0);
+}
+
+TEST(GudhiOnFiles, gives_the_same_betti_numbers_at_each_threshold) {
+  int voids = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(JAM_NETWORKS)) {
+    const auto name = entry.path().filename().string();
+    if (name.find("sphere") == std::string::npos) continue;
+    SCOPED_TRACE(name);
+    const auto graph = read_network(entry.path());
+    const auto diagram = persistence(graph, {.max_dimension = 2});
+    std::vector<double> grid;
+    for (int k = 0; k <= 30; ++k) grid.push_back(.1 * k);
+    for (const int dimension : {0, 1, 2}) {
+      const auto curve = betti_curve(diagram, dimension, grid, Level::above);
+      for (std::size_t k = 0; k < grid.size(); ++k) {
+        const auto theirs = gudhi_betti_above(graph, grid[k], 2)[static_cast<std::size_t>(dimension)];
+        ASSERT_EQ(curve[k], static_cast<std::size_t>(theirs)) << "dimension " << dimension << ", above " << grid[k];
+        voids += dimension == 2 ? theirs : 0;
+      }
+    }
+  }
+  EXPECT_GT(voids, 0);
 }
 
 }  // namespace

@@ -55,6 +55,30 @@ inline std::vector<Point> gudhi_diagram(const WeightedGraph& graph, const Persis
   return points;
 }
 
+/// Betti numbers 0..max_dimension of the clique complex of the edges above a threshold and their ends, nothing else
+/// known of the rest: one complex for each threshold.
+inline std::vector<int> gudhi_betti_above(const WeightedGraph& graph, double threshold, int max_dimension) {
+  using Tree = Gudhi::Simplex_tree<GudhiOptions>;
+  using Cohomology = Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Gudhi::persistent_cohomology::Field_Zp>;
+  std::vector<int> betti(static_cast<std::size_t>(max_dimension) + 1, 0);
+  Tree tree;
+  std::vector<Tree::Vertex_handle> number(graph.vertices, -1);  // GUDHI wants them without gaps
+  Tree::Vertex_handle next = 0;
+  const auto vertex = [&](std::uint32_t v) { return number[v] < 0 ? number[v] = next++ : number[v]; };
+  for (std::size_t e = 0; e < graph.edges(); ++e) {
+    if (!(graph.weight[e] > threshold)) continue;
+    for (const auto v : {graph.from[e], graph.to[e]}) tree.insert_simplex(std::array{vertex(v)}, 0.);
+    tree.insert_simplex(std::array{vertex(graph.from[e]), vertex(graph.to[e])}, 0.);
+  }
+  if (tree.num_vertices() == 0) return betti;
+  tree.expansion(max_dimension + 1);
+  Cohomology cohomology(tree, true);
+  cohomology.init_coefficients(2);
+  cohomology.compute_persistent_cohomology(0);
+  for (int k = 0; k <= max_dimension; ++k) betti[static_cast<std::size_t>(k)] = cohomology.betti_number(k);
+  return betti;
+}
+
 inline std::vector<Point> points(const Diagram& diagram) {
   std::vector<Point> points;
   for (const auto& p : diagram.pairs) points.emplace_back(p.dimension, p.birth, p.death, p.essential);

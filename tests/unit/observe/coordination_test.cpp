@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jamscape/observe/backbone.hpp"
 #include "jamscape/observe/contacts.hpp"
 #include "packings.hpp"
 
@@ -36,6 +37,29 @@ TEST(Coordination, OfNothing) {
   add_grain(p, {1, 1, 0});
   EXPECT_EQ(coordination(find_bonds(p)).z_multi, 0);
   EXPECT_EQ(coordination(find_bonds(p)).rattlers, 1);
+}
+
+TEST(Backbone, LeavesRattlersOutOnceAndNotRecursively) {
+  // Chain 0 - 1 - 2 - 3 from the left wall, 4 alone: 3 and 4 are rattlers, 2 stays with the one contact it has left.
+  Packing p = box(2, {10, 4, 0});
+  add_walls(p);
+  for (const double x : {0.5, 1.5, 2.5, 3.5, 7.0}) add_grain(p, {x, 2, 0});
+  touch(p);
+  const Backbone b = backbone(p, find_bonds(p));
+  EXPECT_EQ(b.grains, 3u);
+  EXPECT_DOUBLE_EQ(b.z, 2 * 2 / 3.0);
+}
+
+TEST(Backbone, OfLatticesIsTheContactNumber) {
+  const Packing p = hexagonal(6, 6);
+  EXPECT_DOUBLE_EQ(backbone(p, find_bonds(p)).z, 6);
+  EXPECT_EQ(backbone(p, find_bonds(p)).grains, 36u);
+}
+
+TEST(Backbone, OfNothing) {
+  const Packing p = ideal_gas(2, {50, 50, 0}, 5, false);
+  EXPECT_EQ(backbone(p, find_bonds(p)).z, 0);
+  EXPECT_EQ(backbone(p, find_bonds(p)).grains, 0u);
 }
 
 TEST(Contacts, MeanNormalForceIsTheSameForEitherWeight) {

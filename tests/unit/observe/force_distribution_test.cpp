@@ -42,6 +42,20 @@ TEST(ForceDistribution, IsNotClamped) {
   EXPECT_EQ(force_distribution(Snapshot(p, {}).network(), {}).above(), 1);  // 81/5 = 16.2 mean forces
 }
 
+TEST(ForceDistribution, InLinearBinsFromZero) {
+  const Packing p = cloud(2, 4000, 6);
+  MeasureOptions linear;
+  linear.force_scale = ForceScale::linear;
+  linear.force_min = 0;
+  linear.force_max = 6;
+  linear.force_bins = 30;
+  const Histogram h = force_distribution(Snapshot(p, linear).network(), linear);
+  EXPECT_EQ(h.below(), 0);
+  for (std::size_t b = 0; b < h.bins(); ++b) EXPECT_NEAR(h.edges()[b + 1] - h.edges()[b], 0.2, 1e-12);
+  EXPECT_NEAR(h.centres()[3], 0.7, 1e-12);
+  for (std::size_t b = 0; b < 10; ++b) EXPECT_NEAR(h.density()[b] / std::exp(-h.centres()[b]), 1, 0.15);
+}
+
 TEST(ForceDistribution, OfNothing) {
   const Packing p = box(2, {1, 1, 0});
   EXPECT_EQ(force_distribution(Snapshot(p, {}).network(), {}).total(), 0);

@@ -130,6 +130,32 @@ inline Packing ideal_gas(int dimension, Vec3 side, int count, bool periodic, std
   return p;
 }
 
+/// Six grains of diameter 1, each touching all but the one opposite, equal forces: hollow, one void.
+inline Packing octahedron() {
+  Packing p = box(3, {4, 4, 4});
+  const double r = std::sqrt(0.5);
+  for (int a = 0; a < 3; ++a)
+    for (const double sign : {1.0, -1.0}) {
+      Vec3 x{2, 2, 2};
+      x[a] += sign * r;
+      add_grain(p, x);
+    }
+  touch(p);
+  for (double& f : p.contacts.normal_force) f = 1;
+  return p;
+}
+
+/// Four grains of diameter 1, all touching, equal forces: filled, no void.
+inline Packing tetrahedron() {
+  Packing p = box(3, {4, 4, 4});
+  const double h = std::sqrt(0.125);
+  for (const Vec3 x : {Vec3{h, h, h}, Vec3{h, -h, -h}, Vec3{-h, h, -h}, Vec3{-h, -h, h}})
+    add_grain(p, Vec3{2, 2, 2} + x);
+  touch(p);
+  for (double& f : p.contacts.normal_force) f = 1;
+  return p;
+}
+
 /// A small jammed-looking packing between flat walls: a random cloud of overlapping grains with random forces.
 inline Packing cloud(int dimension, int count, std::uint64_t seed) {
   const double side = std::pow(count * 0.7, 1.0 / dimension);

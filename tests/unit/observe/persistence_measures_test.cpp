@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "jamscape/observe/threshold_grid.hpp"
 #include "packings.hpp"
 
 namespace jam {
@@ -43,10 +44,35 @@ TEST(PersistenceMeasures, OfARing) {
   auto total = row(total_persistence_measure(), ring());
   EXPECT_NEAR(total["tp0"], 1.6, 1e-15);
   EXPECT_NEAR(total["tp1"], 0.4, 1e-15);
+  EXPECT_EQ(total["tp2"], 0);
+}
+
+TEST(PersistenceMeasures, ALifetimeOnTheBorderIsRoughIfTheOptionSaysSo) {
+  Packing p = box(2, {40, 10, 0});
+  for (const double x : {1.0, 2.0, 5.0, 6.0}) add_grain(p, {x, 1, 0});
+  add_contact(p, 0, 1, 1.9);
+  add_contact(p, 2, 3, 0.1);
+  MeasureOptions s2;
+  s2.rough_includes_edge = true;
+  ASSERT_EQ(Snapshot(p, {}).diagram().pairs.back().birth, 0.1);
+  const auto rough = [&](const MeasureOptions& o) {
+    return persistence_bins_measure().evaluate(Snapshot(p, o)).numbers("b0_rough").at(0);
+  };
+  EXPECT_EQ(rough({}), 0);
+  EXPECT_EQ(rough(s2), 1);
 }
 
 TEST(PersistenceMeasures, IsolatedGrainsAreRough) {
   EXPECT_EQ(row(persistence_bins_measure(), ideal_gas(2, {50, 50, 0}, 20, false))["b0_rough"], 20);
+}
+
+TEST(PersistenceMeasures, OfAHollowOctahedron) {
+  const Packing p = octahedron();
+  const Table t = betti_measure().evaluate(Snapshot(p, {}));
+  const std::vector<double> threshold = t.numbers("threshold"), b2 = t.numbers("b2");
+  for (std::size_t k = 0; k < threshold.size(); ++k) EXPECT_EQ(b2[k], threshold[k] <= 1 ? 1 : 0) << threshold[k];
+  EXPECT_EQ(row(total_persistence_measure(), p)["tp2"], 1);
+  EXPECT_EQ(diagram_measure().evaluate(Snapshot(p, {})).numbers("dimension"), (std::vector<double>{0, 2}));
 }
 
 TEST(PersistenceMeasures, DiagramListsEveryPoint) {

@@ -100,16 +100,35 @@ TEST(Betti, is_closed_at_birth_and_open_at_death) {
   for (const auto& [theta, expected] : pieces) EXPECT_EQ(betti(d, 0, theta), expected) << theta;
 }
 
+TEST(Betti, above_is_open_at_birth_and_closed_at_death) {
+  const auto d = persistence(kSquare);
+  const std::map<double, std::size_t> loops{{-1, 0}, {0, 0}, {.9999, 0}, {1, 1}, {1.9999, 1}, {2, 0}};
+  for (const auto& [theta, expected] : loops) EXPECT_EQ(betti(d, 1, theta, Level::above), expected) << theta;
+  const std::map<double, std::size_t> pieces{{-1e-300, 2}, {0, 1}, {4.9999, 1}, {5, 0}};
+  for (const auto& [theta, expected] : pieces) EXPECT_EQ(betti(d, 0, theta, Level::above), expected) << theta;
+}
+
+TEST(Betti, above_counts_the_pieces_above) {
+  const auto g = examples::shuffled(examples::geometric(300, 2, .06, examples::levels(9), 4), 11, 1);
+  const auto d = persistence(g);
+  for (const double theta : thresholds(g)) {
+    if (theta < 0) continue;
+    EXPECT_EQ(betti(d, 0, theta, Level::above), components(g, theta, Level::above).count()) << theta;
+  }
+}
+
 TEST(BettiCurve, equals_betti_at_each_threshold) {
   const auto g = examples::shuffled(examples::geometric(300, 3, .15, examples::levels(30), 5), 7, 2);
   const auto d = persistence(g, {.max_dimension = 2});
   auto grid = thresholds(g);
   for (int i = 0; i <= 100; ++i) grid.push_back(.05 * i);
-  for (const int k : {0, 1, 2, 3}) {
-    const auto curve = betti_curve(d, k, grid);
-    ASSERT_EQ(curve.size(), grid.size());
-    for (std::size_t i = 0; i < grid.size(); ++i) EXPECT_EQ(curve[i], betti(d, k, grid[i])) << k << " " << grid[i];
-  }
+  for (const Level level : {Level::at_least, Level::above})
+    for (const int k : {0, 1, 2, 3}) {
+      const auto curve = betti_curve(d, k, grid, level);
+      ASSERT_EQ(curve.size(), grid.size());
+      for (std::size_t i = 0; i < grid.size(); ++i)
+        EXPECT_EQ(curve[i], betti(d, k, grid[i], level)) << k << " " << grid[i];
+    }
 }
 
 TEST(TotalPersistence, counts_essential_classes_down_to_zero) {
