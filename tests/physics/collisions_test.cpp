@@ -22,12 +22,16 @@ double restitution(const PairLaw<>& law, double dt, Scheme scheme, double gap = 
 }
 
 TEST(Damping, solves_for_the_restitution_asked_for) {
-  EXPECT_NEAR(solve_damping(std::numbers::pi * std::numbers::pi / 2, 0.5, 0.5, DampingRule::unclipped), 1.35374, 1e-5);
-  EXPECT_NEAR(solve_damping(std::numbers::pi * std::numbers::pi / 2, 0.5, 0.5, DampingRule::clipped), 1.604, 1e-3);
+  EXPECT_NEAR(
+      solve_damping(NormalLaw::linear, DampingRule::unclipped, std::numbers::pi * std::numbers::pi / 2, 0.5, 0.5, 1),
+      1.35374, 1e-5);
+  EXPECT_NEAR(
+      solve_damping(NormalLaw::linear, DampingRule::clipped, std::numbers::pi * std::numbers::pi / 2, 0.5, 0.5, 1),
+      1.604, 1e-3);
   const double z = 1.35374 / (2 * std::numbers::pi);  // the unclipped damping for e = .5
   EXPECT_NEAR(linear_restitution(z, DampingRule::clipped), 0.550, 1e-3);
   EXPECT_NEAR(linear_restitution(z, DampingRule::printed), 0.699, 1e-3);
-  EXPECT_THROW(solve_damping(1, 0.5, 0.3, DampingRule::printed), Error);
+  EXPECT_THROW(solve_damping(NormalLaw::linear, DampingRule::printed, 1, 0.5, 0.3, 1), Error);
 }
 
 TEST(HeadOn, restitution_of_every_damping_rule_in_both_dimensions) {

@@ -1,30 +1,43 @@
 #include "jamscape/contact/damping.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "jamscape/base/error.hpp"
+#include "jamscape/contact/collision.hpp"
 
 namespace jam {
 namespace {
 
-// Head-on collision in scaled time (w0 = 1, impact speed 1): x'' + 2 z x' + x = 0. The printed rule has no force while
-// |2 z x'| > |x|: the grains fly freely from (0, 1) to (2 z, 1), and again from where 2 z |x'| = x on the way out.
-double printed_restitution(double z) {
-  double x = 2 * z, v = 1;
-  const double h = 1e-4;
-  auto acceleration = [z](double px, double pv) { return -px - 2 * z * pv; };
-  for (int k = 0; k < 10'000'000; ++k) {
-    const double k1x = v, k1v = acceleration(x, v);
-    const double k2x = v + h / 2 * k1v, k2v = acceleration(x + h / 2 * k1x, v + h / 2 * k1v);
-    const double k3x = v + h / 2 * k2v, k3v = acceleration(x + h / 2 * k2x, v + h / 2 * k2v);
-    const double k4x = v + h * k3v, k4v = acceleration(x + h * k3x, v + h * k3v);
-    x += h / 6 * (k1x + 2 * k2x + 2 * k3x + k4x);
-    v += h / 6 * (k1v + 2 * k2v + 2 * k3v + k4v);
-    if (v < 0 && -2 * z * v >= x) break;
+/// gamma_n of the unclipped linear law, in closed form.
+double linear_damping(double k_n, double mbar, double restitution) {
+  const double w0 = std::sqrt(k_n / mbar), l = -std::log(restitution);
+  return 2 * w0 * l / std::hypot(std::numbers::pi, l);
+}
+
+/// gamma_n of the clipped linear law: bisects the closed form of the restitution.
+double clipped_damping(double k_n, double mbar, double restitution) {
+  double lo = 0, hi = 0.999999;
+  for (int k = 0; k < 100; ++k) {
+    const double mid = (lo + hi) / 2;
+    (linear_restitution(mid, DampingRule::clipped) > restitution ? lo : hi) = mid;
   }
-  return -v;
+  return 2 * std::sqrt(k_n / mbar) * lo;
+}
+
+PairLaw<> law_with(const ContactOptions& o, double k_n, double gamma_n, double mu) {
+  PairLaw<> law{};
+  law.k_n = k_n;
+  law.gamma_n = gamma_n;
+  law.k_t = o.tangential_stiffness * k_n;
+  law.gamma_t = o.tangential_damping * gamma_n;
+  law.inverse_k_t = law.k_t > 0 ? 1 / law.k_t : 0;
+  law.mu = mu;
+  law.lever_cut = o.lever == LeverArm::contact_point ? 0.5 : 0.0;
+  law.floor = o.damping == DampingRule::clipped ? 0.0 : -std::numeric_limits<double>::infinity();
+  law.damping_limit = o.damping == DampingRule::printed ? 1.0 : std::numeric_limits<double>::infinity();
+  return law;
 }
 
 }  // namespace
@@ -37,61 +50,33 @@ double linear_restitution(double z, DampingRule rule) {
     case DampingRule::clipped:  // the force vanishes where x = -2 z x'
       return std::exp(-(z / w) * (std::numbers::pi - std::atan2(2 * z * w, 1 - 2 * z * z)));
     case DampingRule::printed:
-      return printed_restitution(z);
+      break;
   }
-  return 0;
+  return collision_restitution(NormalLaw::linear, rule, 2 * z);
 }
 
-double solve_damping(double k_n, double mbar, double restitution, DampingRule rule) {
-  const double w0 = std::sqrt(k_n / mbar);
+double solve_damping(NormalLaw law, DampingRule rule, double k_n, double mbar, double restitution, double speed) {
   if (restitution >= 1) return 0;
-  if (rule == DampingRule::unclipped) {
-    const double l = -std::log(restitution);
-    return 2 * w0 * l / std::hypot(std::numbers::pi, l);
-  }
-  double lo = 0, hi = 0.999999;
-  if (rule == DampingRule::printed) {  // not monotonic: search up to its minimum only
-    double best = 1, z_best = 0;
-    for (double z = 0.01; z < 1; z += 0.01)
-      if (const double e = linear_restitution(z, rule); e < best) best = e, z_best = z;
-    if (restitution < best)
-      throw usage_error("contact.restitution: the printed damping rule cannot reach a restitution of " +
-                            std::to_string(restitution) + " (smallest: " + std::to_string(best) + ")",
-                        {}, "contact.damping = \"clipped\", or a larger restitution");
-    hi = z_best;
-  }
-  for (int k = 0; k < 100; ++k) {
-    const double mid = (lo + hi) / 2;
-    (linear_restitution(mid, rule) > restitution ? lo : hi) = mid;
-  }
-  return 2 * w0 * lo;
+  if (law == NormalLaw::linear && rule == DampingRule::unclipped) return linear_damping(k_n, mbar, restitution);
+  if (law == NormalLaw::linear && rule == DampingRule::clipped) return clipped_damping(k_n, mbar, restitution);
+  const double g = collision_damping(law, rule, restitution);
+  if (law == NormalLaw::linear) return g * std::sqrt(k_n / mbar);
+  const double nu = law == NormalLaw::hertz ? 0.5 : 0.25, depth = std::pow(mbar * speed * speed / k_n, 0.4);
+  return g * speed / std::pow(depth, 1 + nu);
 }
 
-namespace {
-
-PairLaw<> law_with(const ContactOptions& o, double mass, double mu) {
-  if (o.law != NormalLaw::linear)
-    throw usage_error("contact.law: the damping of the Hertz law is not solved for a restitution yet", {},
-                      "contact.law = \"linear\"");
-  PairLaw<> law{};
-  law.k_n = o.stiffness;
-  law.gamma_n = solve_damping(o.stiffness, mass / 2, o.restitution, o.damping);
-  law.k_t = o.tangential_stiffness * o.stiffness;
-  law.gamma_t = o.tangential_damping * law.gamma_n;
-  law.inverse_k_t = law.k_t > 0 ? 1 / law.k_t : 0;
-  law.mu = mu;
-  law.lever_cut = o.lever == LeverArm::contact_point ? 0.5 : 0.0;
-  law.floor = o.damping == DampingRule::clipped ? 0.0 : -std::numeric_limits<double>::infinity();
-  law.damping_limit = o.damping == DampingRule::printed ? 1.0 : std::numeric_limits<double>::infinity();
-  return law;
+PairLaw<> grain_law(const ContactOptions& o, double mass) {
+  return law_with(o, o.stiffness, solve_damping(o.law, o.damping, o.stiffness, mass / 2, o.restitution, o.impact_speed),
+                  o.friction);
 }
-
-}  // namespace
-
-PairLaw<> grain_law(const ContactOptions& o, double mass) { return law_with(o, mass, o.friction); }
 
 PairLaw<> wall_law(const ContactOptions& o, double mass) {
-  return law_with(o, mass, o.wall_friction < 0 ? o.friction : o.wall_friction);
+  const double k_n = o.wall_stiffness * o.stiffness;
+  const double gamma_n =
+      o.wall_restitution < 0
+          ? solve_damping(o.law, o.damping, o.stiffness, mass / 2, o.restitution, o.impact_speed)
+          : solve_damping(o.law, o.damping, k_n, mass, std::max(o.wall_restitution, 0.01), o.impact_speed);
+  return law_with(o, k_n, gamma_n, o.wall_friction < 0 ? o.friction : o.wall_friction);
 }
 
 }  // namespace jam

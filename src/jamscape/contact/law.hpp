@@ -5,6 +5,7 @@
 //   1] tangential   v_t = v - n (v.n) + (l_i w_i + l_j w_j) x n,   xi += v_t dt,   xi -= n (n.xi)
 //                F* = -s(x) (k_t xi + gamma_t mbar v_t),   cut at |F*| = mu |F_n|, xi then reset so that F* is the cut
 //                force
+//   tsuji        is hertz with mbar / x^(1/4) in the dashpots
 //   forces       on i: -F_n n + f_t,  on j the opposite;   torque on i: l_i n x f_t,  on j: l_j n x f_t
 //
 // l is the lever arm R (or R - x/2). In two dimensions spins, springs and tangential forces are scalars: spins about z,
@@ -53,33 +54,68 @@ struct TouchForce {
   T normal;                ///< F_n
   Axial<D, T> tangential;  ///< f_t on i: along t (2D), or the vector (3D)
   T damped;                ///< power taken by the dashpots (the tangential one while the contact sticks)
-  T rubbed;                ///< energy taken by friction in this step: all that a sliding contact takes tangentially
+  /// Energy taken tangentially in this step. Linear law: by friction alone, all that a sliding contact takes. Hertz
+  /// laws: the whole work against the tangential force, springs included, because their energy changes with x as well.
+  T rubbed;
 };
 
 /// s(x) of the normal law.
 template <NormalLaw law, class T>
 JAM_INLINE T shape(T x) {
-  if constexpr (law == NormalLaw::hertz)
-    return square_root(x);
-  else
+  if constexpr (law == NormalLaw::linear)
     return T(1.0);
+  else
+    return square_root(x);
+}
+
+/// What stands for mbar in the dashpots.
+template <NormalLaw law, class T>
+JAM_INLINE T damped_mass(T mbar, T s) {
+  if constexpr (law == NormalLaw::tsuji)
+    return mbar / square_root(s);
+  else
+    return mbar;
 }
 
 /// Elastic energy of the normal spring: k x^2/2 (linear), 2/5 k x^(5/2) (Hertz).
 template <NormalLaw law>
 double normal_energy(double k_n, double x) {
-  if constexpr (law == NormalLaw::hertz)
-    return 0.4 * k_n * x * x * square_root(x);
-  else
+  if constexpr (law == NormalLaw::linear)
     return 0.5 * k_n * x * x;
+  else
+    return 0.4 * k_n * x * x * square_root(x);
 }
 
-/// The normal force alone, and the power of its dashpot.
+/// Elastic energy of the tangential spring at s = 1.
+template <class T>
+JAM_INLINE T spring_energy(T k_t, T spring) {
+  return T(0.5) * k_t * (spring * spring);
+}
+template <class T>
+JAM_INLINE T spring_energy(T k_t, const Vec<3, T>& spring) {
+  return T(0.5) * k_t * dot(spring, spring);
+}
+
+/// Calls f.operator()<law>() for a law known at run time only.
+template <class F>
+JAM_INLINE auto with_law(NormalLaw law, F&& f) {
+  switch (law) {
+    case NormalLaw::hertz:
+      return f.template operator()<NormalLaw::hertz>();
+    case NormalLaw::tsuji:
+      return f.template operator()<NormalLaw::tsuji>();
+    case NormalLaw::linear:
+      break;
+  }
+  return f.template operator()<NormalLaw::linear>();
+}
+
+/// The normal force alone; mbar is damped_mass().
 template <NormalLaw law, class T>
 JAM_INLINE T normal_force(const PairLaw<T>& c, T x, T mbar, T v_n, T s) {
   const T spring = c.k_n * x, dashpot = c.gamma_n * mbar * v_n;
   T force = spring - dashpot;
-  if constexpr (law == NormalLaw::hertz) force = s * force;
+  if constexpr (law != NormalLaw::linear) force = s * force;
   force = larger(force, c.floor);
   return select(magnitude(dashpot) > c.damping_limit * spring, T(0.0), force);
 }
@@ -87,13 +123,14 @@ JAM_INLINE T normal_force(const PairLaw<T>& c, T x, T mbar, T v_n, T s) {
 /// Forces of a contact; `spring` is advanced by v_t dt and reset at the Coulomb limit.
 /// `lw` = l_i w_i + l_j w_j.
 template <int D, NormalLaw law, bool friction, class T>
-JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, T mbar, const Vec<D, T>& v,
+JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, T pair_mass, const Vec<D, T>& v,
                                   const Axial<D, T>& lw, Axial<D, T>& spring, T dt) {
   TouchForce<D, T> out;
-  const T s = shape<law>(x), approach = dot(v, n), v_n = -approach;
+  constexpr bool shaped = law != NormalLaw::linear;
+  const T s = shape<law>(x), approach = dot(v, n), v_n = -approach, mbar = damped_mass<law>(pair_mass, s);
   out.normal = normal_force<law>(c, x, mbar, v_n, s);
   T elastic = c.k_n * x;
-  if constexpr (law == NormalLaw::hertz) elastic = s * elastic;
+  if constexpr (shaped) elastic = s * elastic;
   out.damped = (elastic - out.normal) * v_n;
   out.rubbed = T(0.0);
   if constexpr (!friction) {
@@ -108,38 +145,44 @@ JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, 
       const T v_t = n[0] * v[1] - n[1] * v[0] + lw;
       const T trial = spring + v_t * dt, dashpot = damping * v_t;
       T wanted = -(c.k_t * trial + dashpot);
-      if constexpr (law == NormalLaw::hertz) wanted = s * wanted;
+      if constexpr (shaped) wanted = s * wanted;
       const T force = larger(smaller(wanted, cap), -cap);
       T unshaped = force;
-      if constexpr (law == NormalLaw::hertz) unshaped = force / s;
+      if constexpr (shaped) unshaped = force / s;
       const auto slides = magnitude(wanted) > cap;
       spring = select(slides, -(unshaped + dashpot) * c.inverse_k_t, trial);
-      T lost = T(0.5) * c.k_t * (trial * trial - spring * spring), dash_power = dashpot * v_t;
-      if constexpr (law == NormalLaw::hertz) lost = s * lost, dash_power = s * dash_power;
       out.tangential = force;
-      out.rubbed = select(slides, lost + dash_power * dt, T(0.0));
-      out.damped = out.damped + select(slides, T(0.0), dash_power);
+      if constexpr (shaped) {
+        out.rubbed = -(force * v_t) * dt;
+      } else {
+        const T lost = T(0.5) * c.k_t * (trial * trial - spring * spring), dash_power = dashpot * v_t;
+        out.rubbed = select(slides, lost + dash_power * dt, T(0.0));
+        out.damped = out.damped + select(slides, T(0.0), dash_power);
+      }
     } else {
       const Vec<3, T> v_t = v - approach * n + cross(lw, n);
       Vec<3, T> trial = spring + dt * v_t;
       trial = trial - dot(n, trial) * n;
       const Vec<3, T> dashpot = damping * v_t;
       Vec<3, T> wanted = T(-1.0) * (c.k_t * trial + dashpot);
-      if constexpr (law == NormalLaw::hertz) wanted = s * wanted;
+      if constexpr (shaped) wanted = s * wanted;
       const T size = square_root(dot(wanted, wanted));
       const auto slides = size > cap;
       const Vec<3, T> force = select(slides, cap / size, T(1.0)) * wanted;
       T to_spring = c.inverse_k_t;
-      if constexpr (law == NormalLaw::hertz) to_spring = to_spring / s;
+      if constexpr (shaped) to_spring = to_spring / s;
       T shaped_damping = T(1.0);
-      if constexpr (law == NormalLaw::hertz) shaped_damping = s;
+      if constexpr (shaped) shaped_damping = s;
       const Vec<3, T> reset = (-to_spring) * (force + shaped_damping * dashpot);
       for (int k = 0; k < 3; ++k) spring[k] = select(slides, reset[k], trial[k]);
-      T lost = T(0.5) * c.k_t * (dot(trial, trial) - dot(spring, spring)), dash_power = dot(dashpot, v_t);
-      if constexpr (law == NormalLaw::hertz) lost = s * lost, dash_power = s * dash_power;
       out.tangential = force;
-      out.rubbed = select(slides, lost + dash_power * dt, T(0.0));
-      out.damped = out.damped + select(slides, T(0.0), dash_power);
+      if constexpr (shaped) {
+        out.rubbed = -dot(force, v_t) * dt;
+      } else {
+        const T lost = T(0.5) * c.k_t * (dot(trial, trial) - dot(spring, spring)), dash_power = dot(dashpot, v_t);
+        out.rubbed = select(slides, lost + dash_power * dt, T(0.0));
+        out.damped = out.damped + select(slides, T(0.0), dash_power);
+      }
     }
     return out;
   }

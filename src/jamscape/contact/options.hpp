@@ -9,11 +9,16 @@
 
 namespace jam {
 
-enum class NormalLaw { linear, hertz };
+/// Exponents of spring and dashpot: k_n x^delta - gamma_n x^nu mbar v_n (theory sec. 2.2).
+enum class NormalLaw {
+  linear,  ///< delta = 1, nu = 0
+  hertz,   ///< delta = 3/2, nu = 1/2: viscoelastic spheres; the restitution falls with the impact speed
+  tsuji    ///< delta = 3/2, nu = 1/4: Hertz with a restitution that does not depend on the impact speed
+};
 template <>
 struct EnumNames<NormalLaw> {
-  static constexpr std::pair<NormalLaw, std::string_view> values[] = {{NormalLaw::linear, "linear"},
-                                                                      {NormalLaw::hertz, "hertz"}};
+  static constexpr std::pair<NormalLaw, std::string_view> values[] = {
+      {NormalLaw::linear, "linear"}, {NormalLaw::hertz, "hertz"}, {NormalLaw::tsuji, "tsuji"}};
 };
 
 /// What happens when the dashpot would make the normal force attractive: nothing (S1), the force is cut at zero, or
@@ -42,13 +47,19 @@ struct ContactOptions {
   double tangential_damping = 1.0;
   DampingRule damping = DampingRule::unclipped;
   LeverArm lever = LeverArm::radius;
+  double impact_speed = 1;
   double wall_friction = -1;
+  double wall_stiffness = 1;
+  double wall_restitution = -1;
 
   template <class V>
   void describe(V& v) {
-    v.option("law", law, {.text = "normal force law", .source = "S1 App. A; S2 Eq. 1"});
+    v.option("law", law,
+             {.text = "normal force law: linear, hertz (spring x^3/2, dashpot x^1/2), or tsuji (x^3/2, x^1/4)",
+              .source = "S1 App. A; S2 Eq. 1"});
     v.option("stiffness", stiffness,
-             {.text = "normal spring k_n; pi^2/2 is tau_c = half the undamped period",
+             {.text = "normal spring k_n (per d^1/2 for the Hertz laws); linear: pi^2/2 is tau_c = half the undamped "
+                      "period",
               .unit = "m/tau_c^2",
               .min = 0,
               .above_min = true,
@@ -58,6 +69,13 @@ struct ContactOptions {
               .min = 0.01,
               .max = 1,
               .source = "S1 App. A"});
+    v.option("impact_speed", impact_speed,
+             {.text = "speed of the impact that has this restitution; matters to the hertz law only",
+              .unit = "d/tau_c",
+              .min = 0,
+              .max = 1e6,
+              .above_min = true,
+              .source = "theory 2.2"});
     v.option("friction", friction, {.text = "Coulomb coefficient mu between grains", .min = 0, .max = 1e6});
     v.option("tangential_stiffness", tangential_stiffness,
              {.text = "tangential over normal stiffness k_t/k_n", .min = 0, .max = 10});
@@ -67,6 +85,15 @@ struct ContactOptions {
     v.option("lever", lever, {.text = "lever arm of the tangential force", .source = "theory 2.3"});
     v.option("wall_friction", wall_friction,
              {.text = "Coulomb coefficient between grains and walls; -1: as between grains", .min = -1, .max = 1e6});
+    v.option("wall_stiffness", wall_stiffness,
+             {.text = "springs between grains and walls over those between grains; 2.828 is a rigid wall for Hertz",
+              .min = 1e-6,
+              .max = 1e6,
+              .source = "theory 1, note d"});
+    v.option("wall_restitution", wall_restitution,
+             {.text = "restitution of a mean grain at a wall; -1: the dashpots are those between grains",
+              .min = -1,
+              .max = 1});
   }
 };
 

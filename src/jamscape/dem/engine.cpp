@@ -196,10 +196,7 @@ void Engine<D>::touch_planes() {
     const double x = row[R::radius] - distance;
     Axial<D>& spring = plane_spring_[q];
     if (!(x > 0)) {
-      if constexpr (D == 2)
-        tally_.rubbed[0] += 0.5 * wall_law_.k_t * spring * spring;
-      else
-        tally_.rubbed[0] += 0.5 * wall_law_.k_t * dot(spring, spring);
+      if (kind_ == NormalLaw::linear) tally_.rubbed[0] += spring_energy(wall_law_.k_t, spring);
       spring = Axial<D>{};
       continue;
     }
@@ -209,7 +206,7 @@ void Engine<D>::touch_planes() {
     v[wall.axis] -= wall.velocity;
     const double lever = row[R::radius] - wall_law_.lever_cut * x;
     double* f = bodies_.forces.data() + k * R::force_stride;
-    auto apply = [&]<NormalLaw law>() {
+    with_law(kind_, [&]<NormalLaw law>() {
       const Axial<D> lw = levered_spin<D>(row, lever);
       const auto t = touch<D, law, true>(wall_law_, n, x, bodies_.mass[k], v, lw, spring, dt_);
       Vec<D> force;
@@ -226,9 +223,7 @@ void Engine<D>::touch_planes() {
       tally_.damped[0] += t.damped;
       tally_.rubbed[0] += t.rubbed;
       tally_.deepest[0] = larger(tally_.deepest[0], x);
-    };
-    kind_ == NormalLaw::linear ? apply.template operator()<NormalLaw::linear>()
-                               : apply.template operator()<NormalLaw::hertz>();
+    });
   }
 }
 

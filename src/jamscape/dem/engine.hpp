@@ -50,6 +50,10 @@ struct EngineSetup {
   double dt = 0.02;
 };
 
+struct ElasticEnergy {
+  double normal = 0, tangential = 0;
+};
+
 template <int D>
 class Engine {
  public:
@@ -64,6 +68,11 @@ class Engine {
 
   /// This instant in full, between compute_forces() and advance(). Checks the contacts against the forces just summed.
   Packing record() const;
+
+  /// Translation and rotation, with the velocities the forces see (Verlet: half a step behind).
+  double kinetic_energy() const;
+  /// Of all contacts at the present positions.
+  ElasticEnergy elastic_energy() const;
 
   std::int64_t step() const { return step_; }
   double time() const { return static_cast<double>(step_) * dt_; }

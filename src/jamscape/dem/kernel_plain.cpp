@@ -29,13 +29,8 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
     const double reach = a[R::radius] + b[R::radius], r2 = dot(d, d);
     if (!(r2 < reach * reach)) {
       if constexpr (friction) {
-        if constexpr (D == 2) {
-          p.tally->rubbed[k % block] += 0.5 * range.law.k_t * (spring * spring);
-          stored[0] = 0;
-        } else {
-          p.tally->rubbed[k % block] += 0.5 * range.law.k_t * dot(spring, spring);
-          stored[0] = stored[block] = stored[2 * block] = 0;
-        }
+        if constexpr (law == NormalLaw::linear) p.tally->rubbed[k % block] += spring_energy(range.law.k_t, spring);
+        for (std::size_t c = 0; c < (D == 2 ? 1 : 3); ++c) stored[c * block] = 0;
       }
       continue;
     }
@@ -73,10 +68,9 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
 
 template <int D>
 void pairs(const PairArrays& p, const PairRange& range) {
-  if (range.kind == NormalLaw::linear)
-    range.friction ? pair_loop<D, NormalLaw::linear, true>(p, range) : pair_loop<D, NormalLaw::linear, false>(p, range);
-  else
-    range.friction ? pair_loop<D, NormalLaw::hertz, true>(p, range) : pair_loop<D, NormalLaw::hertz, false>(p, range);
+  with_law(range.kind, [&]<NormalLaw law>() {
+    range.friction ? pair_loop<D, law, true>(p, range) : pair_loop<D, law, false>(p, range);
+  });
 }
 
 }  // namespace

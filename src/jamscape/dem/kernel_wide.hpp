@@ -109,19 +109,11 @@ JAM_INLINE Axial<D, Lanes> load_springs(const double* stored) {
     return {Lanes::load(stored), Lanes::load(stored + block), Lanes::load(stored + 2 * block)};
 }
 
-template <int D>
-JAM_INLINE Lanes spring_energy(const PairLaw<Lanes>& c, const Axial<D, Lanes>& spring) {
-  if constexpr (D == 2)
-    return Lanes(0.5) * c.k_t * (spring * spring);
-  else
-    return Lanes(0.5) * c.k_t * dot(spring, spring);
-}
-
-/// Books and erases the springs of pairs that do not touch.
-template <int D>
+/// Books (linear law) and erases the springs of pairs that do not touch.
+template <int D, NormalLaw law>
 JAM_INLINE void erase_parted(const PairLaw<Lanes>& c, Mask touching, double* stored, Lanes& rubbed) {
   const Axial<D, Lanes> spring = load_springs<D>(stored);
-  rubbed = rubbed + select(touching, Lanes(0.0), spring_energy<D>(c, spring));
+  if constexpr (law == NormalLaw::linear) rubbed = rubbed + select(touching, Lanes(0.0), spring_energy(c.k_t, spring));
   if constexpr (D == 2)
     select_or_zero(touching, spring).store(stored);
   else
@@ -264,7 +256,7 @@ void dense_loop(const PairArrays& p, const PairRange& range, const PairLaw<Lanes
       staged.touching[k / width] = static_cast<std::uint8_t>(bits);
       staged.put(k, to_touch(g));
       if constexpr (friction)
-        if (bits != (1u << width) - 1) erase_parted<D>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
+        if (bits != (1u << width) - 1) erase_parted<D, law>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
     }
     for (std::size_t k = 0; k < count; k += width)
       if (staged.touching[k / width])
@@ -278,7 +270,7 @@ void sparse_loop(const PairArrays& p, const PairRange& range, const PairLaw<Lane
   for (std::size_t k = range.begin; k < range.end; k += width) {
     const PairPointers at = pointers<D, shifted>(p, k);
     const Geometry<D> g = distances<D, shifted>(p, at);
-    if constexpr (friction) erase_parted<D>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
+    if constexpr (friction) erase_parted<D, law>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
     if (none(g.touching)) continue;
     for (std::uint32_t bits = lane_bits(g.touching); bits; bits &= bits - 1) {
       const auto l = static_cast<std::size_t>(__builtin_ctz(bits));
@@ -306,11 +298,9 @@ void with_shift(const PairArrays& p, const PairRange& range) {
 
 template <int D>
 void pairs(const PairArrays& p, const PairRange& range) {
-  if (range.kind == NormalLaw::linear)
-    range.friction ? with_shift<D, NormalLaw::linear, true>(p, range)
-                   : with_shift<D, NormalLaw::linear, false>(p, range);
-  else
-    range.friction ? with_shift<D, NormalLaw::hertz, true>(p, range) : with_shift<D, NormalLaw::hertz, false>(p, range);
+  with_law(range.kind, [&]<NormalLaw law>() {
+    range.friction ? with_shift<D, law, true>(p, range) : with_shift<D, law, false>(p, range);
+  });
 }
 
 }  // namespace jam::HWY_NAMESPACE

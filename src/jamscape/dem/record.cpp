@@ -26,26 +26,20 @@ struct Touching {
   Axial<D> lw, spring;
 };
 
-struct Energies {
-  double normal = 0, tangential = 0;
-};
-
 /// Appends a contact's forces; returns the force on i.
 template <int D>
-Vec<D> append_forces(Contacts& out, Energies& energy, const PairLaw<>& law, NormalLaw kind, const Touching<D>& t) {
+Vec<D> append_forces(Contacts& out, ElasticEnergy& energy, const PairLaw<>& law, NormalLaw kind, const Touching<D>& t) {
   Axial<D> spring = t.spring;
-  auto evaluate = [&]<NormalLaw normal>() {
-    const double s = shape<normal>(t.x);
+  const auto f = with_law(kind, [&]<NormalLaw normal>() {
     energy.normal += normal_energy<normal>(law.k_n, t.x);
+    const double s = shape<normal>(t.x);
     if constexpr (D == 2)
       energy.tangential += 0.5 * law.k_t * s * spring * spring;
     else
       energy.tangential += 0.5 * law.k_t * s * dot(spring, spring);
     return law.mu > 0 ? touch<D, normal, true>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0)
                       : touch<D, normal, false>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0);
-  };
-  const auto f = kind == NormalLaw::linear ? evaluate.template operator()<NormalLaw::linear>()
-                                           : evaluate.template operator()<NormalLaw::hertz>();
+  });
   Vec<D> tangential;
   if constexpr (D == 2)
     tangential = {-f.tangential * t.n[1], f.tangential * t.n[0]};
@@ -137,7 +131,7 @@ Packing Engine<D>::record() const {
   }
 
   std::vector<Vec<D>> sums(n, Vec<D>{});
-  Energies energy;
+  ElasticEnergy energy;
   double scale = 0;
   Contacts& c = out.contacts;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
@@ -227,7 +221,7 @@ Packing Engine<D>::record() const {
     }
   out.energy.elastic = energy.normal + energy.tangential;
   out.energy.damped = damped_;
-  out.energy.rubbed = rubbed_;
+  out.energy.rubbed = kind_ == NormalLaw::linear ? rubbed_ : rubbed_ - energy.tangential;
   out.energy.wall_work = wall_work_;
   return out;
 }

@@ -60,7 +60,7 @@ struct RunFile::State {
   std::vector<std::int64_t> steps, counts;
   std::vector<double> times, fraction, fraction_plain, lower, upper;
   std::vector<std::uint8_t> periodic;
-  std::vector<std::string> stages;
+  std::vector<std::string> stages, relaxations;
   std::vector<EnergyLedger> energy;
   std::vector<std::uint64_t> contact_offset, wall_offset, bead_offset;
 
@@ -97,6 +97,9 @@ RunFile::State::State(hdf5::File opened) : file(std::move(opened)), root(file.ro
   times = per_frame<double>(frames, "time");
   stages = frames.read_strings("stage");
   if (stages.size() != steps.size()) damaged(frames, "there is not one stage name for each frame");
+  relaxations.resize(steps.size());
+  if (frames.has("relaxation")) relaxations = frames.read_strings("relaxation");
+  if (relaxations.size() != steps.size()) damaged(frames, "there is not one relaxation for each frame");
 
   all = root.group("particles").group("all");
   counts = per_frame<std::int64_t>(all.group("count"), "value");
@@ -231,6 +234,7 @@ std::size_t RunFile::frames() const { return state_->steps.size(); }
 const std::vector<std::int64_t>& RunFile::steps() const { return state_->steps; }
 const std::vector<double>& RunFile::times() const { return state_->times; }
 const std::vector<std::string>& RunFile::stages() const { return state_->stages; }
+const std::vector<std::string>& RunFile::relaxations() const { return state_->relaxations; }
 const std::vector<double>& RunFile::packing_fractions() const { return state_->fraction; }
 
 Provenance RunFile::provenance() const {
@@ -255,6 +259,7 @@ Packing RunFile::frame(std::size_t k) const {
   p.step = s.steps[k];
   p.time = s.times[k];
   p.stage = s.stages[k];
+  p.relaxation = s.relaxations[k];
   p.packing_fraction = s.fraction[k];
   p.packing_fraction_plain = s.fraction_plain[k];
   p.domain.lo = vector_at(s.lower, k);

@@ -4,8 +4,8 @@
 // Layout, version 1 (T frames, N grains at most, D dimensions, C contacts, W walls and B beads over all frames; S is 1
 // for 2D, 3 for 3D). The grains are an H5MD 1.1 particle group; step and time are one array under many names.
 //   /h5md                              version, author, creator
-//   /frames                            step i64[T], time f64[T], stage string[T]
-//   /particles/all/box                 attributes dimension, boundary; edges/{step,time,value[T][D]};
+//   /frames                            step i64[T], time f64[T], stage string[T]; relaxation string[T] where frames
+//   have it /particles/all/box                 attributes dimension, boundary; edges/{step,time,value[T][D]};
 //                                      lower, upper f64[T][3], periodic u8[T][3]
 //   /particles/all/count/{step,time,value}       grains in each frame; the rest of a row is padding
 //   /particles/all/{position,velocity}/{step,time,value[T][N][D]}
@@ -65,6 +65,7 @@ class RunFile {
   const std::vector<std::int64_t>& steps() const;
   const std::vector<double>& times() const;
   const std::vector<std::string>& stages() const;
+  const std::vector<std::string>& relaxations() const;  ///< Packing::relaxation of each frame
   const std::vector<double>& packing_fractions() const;
   Provenance provenance() const;
 

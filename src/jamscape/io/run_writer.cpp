@@ -83,6 +83,7 @@ void RunWriter::append(const Packing& packing) {
   steps_.push_back(packing.step);
   times_.push_back(packing.time);
   stages_.push_back(packing.stage);
+  relaxations_.push_back(packing.relaxation);
   fraction_.push_back(packing.packing_fraction);
   fraction_plain_.push_back(packing.packing_fraction_plain);
   energy_.push_back(packing.energy);
@@ -244,6 +245,8 @@ void RunWriter::finish(const Provenance& provenance) {
   frames_.write("step", steps_);
   frames_.write("time", times_);
   frames_.write_strings("stage", stages_);
+  if (std::any_of(relaxations_.begin(), relaxations_.end(), [](const std::string& r) { return !r.empty(); }))
+    frames_.write_strings("relaxation", relaxations_);
 
   for (auto& [name, element] : elements_) link_times(element);
   finish_property("id", &Grains::id);

@@ -48,7 +48,7 @@ class RunWriter {
   std::vector<std::int64_t> steps_, grains_;
   std::vector<double> times_, fraction_, fraction_plain_, edges_, lower_, upper_;
   std::vector<std::uint8_t> periodic_;
-  std::vector<std::string> stages_;
+  std::vector<std::string> stages_, relaxations_;
   std::vector<EnergyLedger> energy_;
   std::vector<std::uint64_t> contact_offset_{0}, wall_offset_{0}, bead_offset_{0};
 };

@@ -76,7 +76,8 @@ struct EnergyLedger {
   double kinetic = 0;       ///< translation and rotation, now
   double elastic = 0;       ///< normal and tangential springs, now
   double damped = 0;        ///< taken by the dashpots since the start
-  double rubbed = 0;        ///< taken by friction (springs cut at the Coulomb limit or erased) since the start
+  double rubbed = 0;        ///< taken by friction (springs cut at the Coulomb limit or erased) since the start; with a
+                            ///< Hertz law all that tangential forces took, negative where the law makes energy
   double wall_work = 0;     ///< done on the grains by moving walls or a deforming box since the start
   double gravity_work = 0;  ///< done on the grains by gravity since the start
 };
@@ -86,6 +87,7 @@ struct Packing {
   std::int64_t step = 0;
   double time = 0;
   std::string stage;                  ///< name of the protocol stage this instant belongs to
+  std::string relaxation;             ///< what ended the relaxation before this instant; empty where there was none
   double packing_fraction = 0;        ///< in the study's box and grain-area convention
   double packing_fraction_plain = 0;  ///< true grain area (volume), over the same box
   Domain domain;

@@ -144,10 +144,50 @@ struct StartOptions {
   }
 };
 
-enum class StageKind { compress };
+enum class StageKind {
+  compress,  ///< all walls move inward at constant speed
+  relax,     ///< the walls stand still until the grains have come to rest; one frame at the end
+  steps      ///< compress by `increment`, relax, and so on; one frame after each relaxation
+};
 template <>
 struct EnumNames<StageKind> {
-  static constexpr std::pair<StageKind, std::string_view> values[] = {{StageKind::compress, "compress"}};
+  static constexpr std::pair<StageKind, std::string_view> values[] = {
+      {StageKind::compress, "compress"}, {StageKind::relax, "relax"}, {StageKind::steps, "steps"}};
+};
+
+/// When a relaxation ends: the first of three (theory sec. 1, note g).
+struct RelaxOptions {
+  std::int64_t window = 150000;
+  double fluctuation = 0.1;
+  double energy = 1e-10;
+  double windows = 10;
+
+  template <class V>
+  void describe(V& v) {
+    v.option("relax_window", window,
+             {.text = "relax: time steps over which the kinetic energy is looked at",
+              .min = 100,
+              .max = 1e9,
+              .source = "S2 Sec. 3"});
+    v.option("relax_fluctuation", fluctuation,
+             {.text = "relax: ends where the kinetic energy's standard deviation over a window is at most this part of "
+                      "its mean",
+              .min = 0,
+              .max = 1,
+              .source = "S2 Sec. 3"});
+    v.option("relax_energy", energy,
+             {.text = "relax: ends where the kinetic energy is below this part of the elastic energy (of its value at "
+                      "the start, where nothing touches)",
+              .min = 0,
+              .max = 1,
+              .source = "theory 1, note g"});
+    v.option("relax_windows", windows,
+             {.text = "relax: ends after so many windows at the latest; such a frame is marked as not relaxed",
+              .min = 0,
+              .max = 1e6,
+              .above_min = true,
+              .source = "theory 1, note g"});
+  }
 };
 
 /// One stage of the protocol ([[stage]] in the study file), done in order.
@@ -158,11 +198,16 @@ struct StageOptions {
   double speed = 2.5e-5;
   std::int64_t frames = 0;
   std::vector<double> frames_at;
+  double increment = 0.02;
+  std::int64_t frames_inside = 0;
+  RelaxOptions relax{};
 
   template <class V>
   void describe(V& v) {
     v.option("name", name, {.text = "name of the stage in the tables; its kind and number when empty"});
-    v.option("kind", kind, {.text = "what is done: compress moves all walls inward at constant speed"});
+    v.option("kind", kind,
+             {.text = "what is done: compress moves all walls inward at constant speed; relax stops them until the "
+                      "grains rest; steps does both in turn, by an increment of packing fraction each"});
     v.option("to", to, {.text = "packing fraction at which the stage ends", .min = 0, .max = 2, .above_min = true});
     v.option("speed", speed,
              {.text = "speed of each wall",
@@ -174,6 +219,15 @@ struct StageOptions {
     v.option("frames", frames,
              {.text = "number of frames, evenly spaced in packing fraction, both ends included", .min = 0, .max = 1e6});
     v.option("frames_at", frames_at, {.text = "packing fractions of further frames", .min = 0, .max = 2});
+    v.option("increment", increment,
+             {.text = "steps: packing fraction from one relaxation to the next, on a grid that ends at `to`",
+              .min = 1e-6,
+              .max = 1,
+              .source = "S2 Sec. 3"});
+    v.option(
+        "frames_inside", frames_inside,
+        {.text = "steps: frames inside each increment, the last one just before its relaxation", .min = 0, .max = 1e6});
+    relax.describe(v);
   }
 };
 

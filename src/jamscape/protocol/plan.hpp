@@ -1,4 +1,4 @@
-// The timetable of a protocol: which steps belong to which stage, and at which steps frames are taken.
+// The timetable of a protocol: its stages taken apart into legs, and the frames taken on each.
 #pragma once
 
 #include <string>
@@ -9,16 +9,25 @@
 
 namespace jam {
 
-struct PlannedStage {
-  std::string name;
-  std::int64_t first = 0, steps = 0;
-  double speed = 0;  ///< of each wall
+/// Walls that move at one speed for a known time, or stand still until the grains have come to rest.
+struct Leg {
+  std::string stage;
+  bool relaxes = false;
+  double speed = 0;        ///< of each wall
+  std::int64_t steps = 0;  ///< relaxes: a guess
+  RelaxOptions relax{};
 };
 
 struct Timetable {
   Plan plan;
   BoxMeasure box;
-  std::vector<PlannedStage> stages;
+  std::vector<Leg> legs;
+  /// Where each frame of the plan is taken: on which leg, how many steps after its beginning (relaxed: at its end).
+  struct FramePlace {
+    std::size_t leg = 0;
+    std::int64_t offset = 0;
+  };
+  std::vector<FramePlace> places;
 };
 
 /// Throws a usage error for a protocol that cannot be (see plan()).

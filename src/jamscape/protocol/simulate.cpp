@@ -7,6 +7,7 @@
 #include "jamscape/base/flush_to_zero.hpp"
 #include "jamscape/dem/engine.hpp"
 #include "jamscape/protocol/plan.hpp"
+#include "jamscape/protocol/relaxation.hpp"
 #include "jamscape/protocol/start.hpp"
 
 namespace jam {
@@ -22,28 +23,24 @@ class Run {
       : system_(system), key_(key), hooks_(hooks), table_(timetable(system, key)), engine_(start<D>(system, key)) {}
 
   Outcome go(const Archive* from) {
+    begin_leg(0, 0);
     if (from) resume(*from);
     const std::int64_t look =
         hooks_.look_every > 0
             ? hooks_.look_every
             : std::max<std::int64_t>(
                   1, static_cast<std::int64_t>(work_per_look / static_cast<double>(system_.grains.count)));
-    enter_stage();
     for (std::int64_t next_look = engine_.step() + look;;) {
-      const bool frame_due =
-          next_frame_ < table_.plan.frames.size() && table_.plan.frames[next_frame_].step == engine_.step();
-      if (frame_due) deliver_frames();
-      if (engine_.step() >= table_.plan.steps) return Outcome::finished;
+      const bool forces_summed = take_frames_and_turn();
+      if (leg_ == table_.legs.size()) return Outcome::finished;
       // A frame leaves the forces summed; only advance() may follow.
-      if (frame_due) engine_.advance();
-      std::int64_t until = std::min(next_look, stage_end());
-      if (next_frame_ < table_.plan.frames.size()) until = std::min(until, table_.plan.frames[next_frame_].step);
-      engine_.run(until - engine_.step());
-      enter_stage();
+      if (forces_summed) engine_.advance();
+      engine_.run(std::min(next_look, next_event()) - engine_.step());
       if (engine_.step() < next_look) continue;
       next_look = engine_.step() + look;
       if (hooks_.progress)
-        hooks_.progress({engine_.step(), table_.plan.steps, table_.box.packing_fraction(length()), stage_name()});
+        hooks_.progress({engine_.step(), std::max(expected_steps(), engine_.step() + 1),
+                         table_.box.packing_fraction(length()), table_.legs[leg_].stage});
       const bool stop = hooks_.stop && hooks_.stop();
       if (hooks_.checkpoint && (stop || (hooks_.checkpoint_due && hooks_.checkpoint_due()))) hooks_.checkpoint(save());
       if (stop) return Outcome::stopped;
@@ -51,22 +48,20 @@ class Run {
   }
 
  private:
-  std::size_t stage() const {
-    std::size_t s = 0;
-    while (s + 1 < table_.stages.size() && engine_.step() >= table_.stages[s + 1].first) ++s;
-    return s;
-  }
-  std::string stage_name() const { return table_.stages[stage()].name; }
-  std::int64_t stage_end() const { return table_.stages[stage()].first + table_.stages[stage()].steps; }
-
   double length() const {
     if (engine_.walls().empty()) return engine_.box().length[0];
     return engine_.walls()[1].position - engine_.walls()[0].position;
   }
 
-  /// Sets the walls to the speed of the stage the clock is in.
-  void enter_stage() {
-    const double speed = table_.stages[stage()].speed;
+  void begin_leg(std::size_t leg, std::int64_t step) {
+    leg_ = leg, leg_begin_ = step;
+    if (leg == table_.legs.size()) return;
+    if (table_.legs[leg].relaxes) relaxation_ = Relaxation(table_.legs[leg].relax);
+    set_speed();
+  }
+
+  void set_speed() {
+    const double speed = table_.legs[leg_].speed;
     for (std::size_t w = 0; w < engine_.walls().size(); ++w) {
       const double v = engine_.walls()[w].high ? -speed : speed;
       if (engine_.walls()[w].velocity != v) engine_.set_wall_velocity(w, v);
@@ -74,38 +69,108 @@ class Run {
     if (engine_.walls().empty()) engine_.set_box_speed(speed);
   }
 
-  void deliver_frames() {
-    engine_.compute_forces();
+  /// Everything that happens at this step before the clock goes on: a sample of the energies, frames, the next leg.
+  /// True: forces are summed.
+  bool take_frames_and_turn() {
+    watch();
+    bool summed = false;
+    while (leg_ < table_.legs.size()) {
+      const bool relaxes = table_.legs[leg_].relaxes;
+      if (!relaxes && leg_over())
+        begin_leg(leg_ + 1, engine_.step());
+      else if (frame_due())
+        deliver_frame(summed), summed = true;
+      else if (relaxes && leg_over())  // its frame is taken while the walls still stand
+        begin_leg(leg_ + 1, engine_.step());
+      else
+        return summed;
+    }
+    while (frame_due()) deliver_frame(summed), summed = true;
+    return summed;
+  }
+
+  bool leg_over() const {
+    return table_.legs[leg_].relaxes ? !relaxation_.ended().empty()
+                                     : engine_.step() >= leg_begin_ + table_.legs[leg_].steps;
+  }
+
+  bool frame_due() const {
+    if (next_frame_ == table_.places.size()) return false;
+    const auto& place = table_.places[next_frame_];
+    if (place.leg != leg_) return place.leg < leg_;
+    return table_.legs[leg_].relaxes ? leg_over() : engine_.step() >= leg_begin_ + place.offset;
+  }
+
+  void watch() {
+    if (leg_ == table_.legs.size() || !table_.legs[leg_].relaxes || leg_over()) return;
+    if (engine_.step() < leg_begin_ + relaxation_.next_sample()) return;
+    double elastic = 0;
+    if (relaxation_.wants_elastic()) {
+      const ElasticEnergy e = engine_.elastic_energy();
+      elastic = e.normal + e.tangential;
+    }
+    relaxation_.add_sample(engine_.kinetic_energy(), elastic);
+  }
+
+  /// The next step at which something happens.
+  std::int64_t next_event() const {
+    const Leg& leg = table_.legs[leg_];
+    if (leg.relaxes) return leg_begin_ + relaxation_.next_sample();
+    std::int64_t next = leg_begin_ + leg.steps;
+    if (next_frame_ < table_.places.size() && table_.places[next_frame_].leg == leg_)
+      next = std::min(next, leg_begin_ + table_.places[next_frame_].offset);
+    return next;
+  }
+
+  /// Of the whole protocol, as far as it can be known now.
+  std::int64_t expected_steps() const {
+    std::int64_t steps = leg_begin_;
+    for (std::size_t l = leg_; l < table_.legs.size(); ++l) steps += table_.legs[l].steps;
+    return steps;
+  }
+
+  void deliver_frame(bool summed) {
+    if (!summed) engine_.compute_forces();
     Packing packing = engine_.record();
     packing.packing_fraction = table_.box.packing_fraction(length());
     packing.packing_fraction_plain = table_.box.packing_fraction_plain(length());
-    const auto& frames = table_.plan.frames;
-    for (; next_frame_ < frames.size() && frames[next_frame_].step == engine_.step(); ++next_frame_) {
-      packing.stage = frames[next_frame_].stage;
-      if (hooks_.frame) hooks_.frame(next_frame_, packing);
-    }
+    packing.stage = table_.plan.frames[next_frame_].stage;
+    if (table_.plan.frames[next_frame_].relaxed) packing.relaxation = relaxation_.ended();
+    if (hooks_.frame) hooks_.frame(next_frame_, packing);
+    ++next_frame_;
   }
 
   Archive save() const {
     Archive archive;
     engine_.save(archive);
     archive["protocol/system"] = key_.system;
-    archive["protocol/counters"] =
-        std::vector<std::int64_t>{physics_revision, static_cast<std::int64_t>(key_.seed),
-                                  static_cast<std::int64_t>(key_.realisation), static_cast<std::int64_t>(next_frame_)};
+    archive["protocol/counters"] = std::vector<std::int64_t>{physics_revision,
+                                                             static_cast<std::int64_t>(key_.seed),
+                                                             static_cast<std::int64_t>(key_.realisation),
+                                                             static_cast<std::int64_t>(next_frame_),
+                                                             static_cast<std::int64_t>(leg_),
+                                                             leg_begin_};
+    archive["protocol/relaxation"] = relaxation_.save();
     return archive;
   }
 
   void resume(const Archive& archive) {
-    const auto name = archive.find("protocol/system"), counters = archive.find("protocol/counters");
-    const auto* n = counters == archive.end() ? nullptr : std::get_if<std::vector<std::int64_t>>(&counters->second);
-    const auto* s = name == archive.end() ? nullptr : std::get_if<std::string>(&name->second);
-    if (!n || n->size() != 4 || !s || *s != key_.system || (*n)[0] != physics_revision ||
-        (*n)[1] != static_cast<std::int64_t>(key_.seed) || (*n)[2] != static_cast<std::int64_t>(key_.realisation))
+    const auto read = [&]<class T>(const char* entry, const T*) -> const T* {
+      const auto at = archive.find(entry);
+      return at == archive.end() ? nullptr : std::get_if<T>(&at->second);
+    };
+    const auto* n = read("protocol/counters", static_cast<const std::vector<std::int64_t>*>(nullptr));
+    const auto* s = read("protocol/system", static_cast<const std::string*>(nullptr));
+    const auto* r = read("protocol/relaxation", static_cast<const std::vector<double>*>(nullptr));
+    if (!n || n->size() != 6 || !s || !r || *s != key_.system || (*n)[0] != physics_revision ||
+        (*n)[1] != static_cast<std::int64_t>(key_.seed) || (*n)[2] != static_cast<std::int64_t>(key_.realisation) ||
+        (*n)[4] < 0 || static_cast<std::size_t>((*n)[4]) >= table_.legs.size())
       throw data_error("the checkpoint belongs to another task or another version of the physics", {},
                        "delete it; the task then starts from its beginning");
     engine_.load(archive);
     next_frame_ = static_cast<std::size_t>((*n)[3]);
+    begin_leg(static_cast<std::size_t>((*n)[4]), (*n)[5]);
+    if (table_.legs[leg_].relaxes) relaxation_.load(*r);
   }
 
   const SystemOptions& system_;
@@ -113,7 +178,9 @@ class Run {
   const Hooks& hooks_;
   Timetable table_;
   Engine<D> engine_;
-  std::size_t next_frame_ = 0;
+  std::size_t next_frame_ = 0, leg_ = 0;
+  std::int64_t leg_begin_ = 0;
+  Relaxation relaxation_;
 };
 
 }  // namespace

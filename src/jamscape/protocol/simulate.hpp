@@ -27,11 +27,15 @@ struct TaskKey {
 struct PlannedFrame {
   std::string stage;
   double packing_fraction = 0;  ///< as asked for; the frame is taken at the first step that reaches it
-  std::int64_t step = 0;
+  std::int64_t step = 0;        ///< -1 where it is not known before: after the first relaxation
+  bool relaxed = false;         ///< taken at the end of a relaxation
+
+  /// Is this the frame taken at `step` of `stage`? `found` is its packing fraction, `relaxation` Packing::relaxation.
+  bool matches(std::int64_t at, const std::string& of, double found, const std::string& relaxation) const;
 };
 
 struct Plan {
-  std::int64_t steps = 0;   ///< of the whole protocol
+  std::int64_t steps = 0;   ///< of the whole protocol; relaxations are guessed at two windows
   std::int64_t bodies = 0;  ///< grains
   std::vector<PlannedFrame> frames;
 };

@@ -44,12 +44,14 @@ void TaskFolder::discard_partial() const {
 
 std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const Plan& plan) {
   const std::vector<std::int64_t>& steps = run.steps();
-  const std::vector<std::string>& stages = run.stages();
+  const std::vector<std::string>&stages = run.stages(), &relaxations = run.relaxations();
+  const std::vector<double>& fractions = run.packing_fractions();
   std::vector<std::size_t> indices;
   for (const PlannedFrame& wanted : plan.frames) {
     std::optional<std::size_t> found;
     for (std::size_t k = 0; k < steps.size(); ++k)
-      if (steps[k] == wanted.step && (!found || (stages[k] == wanted.stage && stages[*found] != wanted.stage)))
+      if (wanted.matches(steps[k], stages[k], fractions[k], relaxations[k]) &&
+          (!found || (stages[k] == wanted.stage && stages[*found] != wanted.stage)))
         found = k;
     if (!found) return std::nullopt;
     indices.push_back(*found);
