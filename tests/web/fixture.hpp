@@ -16,4 +16,7 @@ struct FixtureParts {
 
 void write_fixture(const std::filesystem::path& folder, const FixtureParts& parts = {});
 
+/// Three systems, two of discs and one of spheres, with relaxations and level sets.
+void write_network_fixture(const std::filesystem::path& folder);
+
 }  // namespace jam

@@ -24,6 +24,8 @@
       sections: [...document.querySelectorAll("section")].map((section) => section.id),
       figures: document.querySelectorAll("figure").length,
       charts: document.querySelectorAll(".uplot").length,
+      heat_maps: document.querySelectorAll(".heat canvas").length,
+      spheres: document.querySelectorAll("canvas.turnable").length,
       canvases: canvases.length,
       blank: canvases.filter((canvas) => colours(canvas) < 4).length,
       wider: document.documentElement.scrollWidth > window.innerWidth + 1,
@@ -44,6 +46,19 @@
     if (slider) {
       slider.value = "0";
       slider.dispatchEvent(new Event("input"));
+    }
+    for (const input of document.querySelectorAll(".tools input")) {
+      input.value = "0.4";
+      input.dispatchEvent(new Event("input"));
+    }
+    const ball = document.querySelector("canvas.turnable");
+    ball?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+    const map = document.querySelector(".heat canvas");
+    if (map) {
+      const { left, top, width, height } = map.getBoundingClientRect();
+      const at = { clientX: left + 0.6 * width, clientY: top + 0.5 * height };
+      map.dispatchEvent(new PointerEvent("pointermove", at));
+      if (document.querySelector(".heat .tooltip").hidden) problems.push("a map does not read out");
     }
     setTimeout(report, 400);
   }, 600);

@@ -20,6 +20,8 @@ export interface Line {
   x: number[];
   y: (number | null)[];
   se?: (number | null)[];
+  /** per point, how many realisations were not relaxed; such points are hollow */
+  unrelaxed?: number[];
 }
 
 export interface Mark {
@@ -231,6 +233,38 @@ function decoration(options: ChartOptions): uPlot.Plugin {
   };
 }
 
+/** Hollow points where a realisation was not relaxed. */
+function hollowPoints(lines: () => Line[]): uPlot.Plugin {
+  return {
+    hooks: {
+      draw: (u: uPlot) => {
+        const { ctx } = u;
+        const ratio = globalThis.chartPixelRatio;
+        const { left, top, width, height } = u.bbox;
+        ctx.save();
+        ctx.beginPath();
+        ctx.rect(left - 4 * ratio, top - 4 * ratio, width + 8 * ratio, height + 8 * ratio);
+        ctx.clip();
+        lines().forEach((line, k) => {
+          if (!u.series[meanIndex(k)].show) return;
+          line.unrelaxed?.forEach((count, point) => {
+            const value = line.y[point];
+            if (!count || value === null) return;
+            ctx.beginPath();
+            ctx.arc(u.valToPos(line.x[point], "x", true), u.valToPos(value, "y", true), 3.4 * ratio, 0, 2 * Math.PI);
+            ctx.fillStyle = "#fff";
+            ctx.fill();
+            ctx.strokeStyle = line.colour;
+            ctx.lineWidth = 1.5 * ratio;
+            ctx.stroke();
+          });
+        });
+        ctx.restore();
+      },
+    },
+  };
+}
+
 function nearest(column: ArrayLike<number | null | undefined>, index: number): number | null {
   for (let away = 0; away < 4; ++away) {
     if (column[index - away] != null) return index - away;
@@ -252,8 +286,10 @@ function tooltip(options: ChartOptions, lines: () => Line[]): uPlot.Plugin {
         if (at === null) return;
         const value = u.data[meanIndex(k)][at]!;
         const se = u.data[meanIndex(k) + 2][at]! - value;
+        const count = line.unrelaxed?.[line.x.indexOf(u.data[0][at])];
         rows.push(
-          `<tr><td><i class="swatch" style="background:${line.colour}"></i></td><td>${line.label}</td>` +
+          `<tr><td><i class="swatch" style="background:${line.colour}"></i></td><td>${line.label}` +
+            `${count ? ` <span class="what">${count} not relaxed</span>` : ""}</td>` +
             `<td>${withError(value, line.se ? se : null)}</td></tr>`,
         );
       });
@@ -331,7 +367,7 @@ export function chart(options: ChartOptions): Chart {
           points: { size: 7, width: 1.5, fill: "#fff" },
           sync: options.sync ? { key: options.sync, setSeries: false } : undefined,
         },
-        plugins: [decoration(options), tooltip(options, () => lines)],
+        plugins: [decoration(options), hollowPoints(() => lines), tooltip(options, () => lines)],
       },
       joined(lines, options.log ?? false, floor),
       plot,

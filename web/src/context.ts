@@ -2,7 +2,7 @@
 import type { Chart, ChartOptions, Line, Mark } from "./chart";
 import { chart } from "./chart";
 import type { Data, Estimate } from "./data";
-import { rhoC } from "./data";
+import { jammingOf } from "./data";
 import type { State } from "./state";
 import { systemLabel } from "./symbols";
 import { systemColour, systemDash } from "./theme";
@@ -24,6 +24,11 @@ export class Context {
     readonly state: State,
   ) {
     this.labels = data.study.systems.map((system) => systemLabel(data.study, system));
+  }
+
+  /** The label of a system after its colour. */
+  systemTitle(system: number): string {
+    return `<i class="swatch" style="background:${systemColour(system)}"></i>${this.labels[system]}`;
   }
 
   /** A chart that follows the legend. */
@@ -51,16 +56,17 @@ export class Context {
     const lines: Line[] = [];
     this.data.frames?.systems.forEach((frames, system) => {
       const estimate = frames.quantities[quantity];
-      if (estimate?.mean.some((v) => v !== null)) lines.push(this.line(system, frames.rho, estimate, scale(system)));
+      if (!estimate?.mean.some((v) => v !== null)) return;
+      lines.push({ ...this.line(system, frames.rho, estimate, scale(system)), unrelaxed: frames.unrelaxed });
     });
     return lines;
   }
 
-  /** rho_c of every system, as marks on the abscissa. */
+  /** Where every system jams, as marks on the abscissa. */
   marks(kind: Mark["kind"] = "tick"): Mark[] {
     const marks: Mark[] = [];
     this.labels.forEach((_, system) => {
-      const x = rhoC(this.data, system);
+      const x = jammingOf(this.data, system);
       if (x !== null) marks.push({ x, colour: systemColour(system), system, kind });
     });
     return marks;

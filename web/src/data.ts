@@ -8,6 +8,8 @@ export interface System {
   options: Record<string, number | string>;
   realisations: number;
   planned: number | null;
+  /** how the relaxations before its frames ended, over all realisations; null where nothing relaxes */
+  relaxations?: { fluctuation: number; energy: number; budget: number } | null;
 }
 
 export interface Study {
@@ -17,6 +19,8 @@ export interface Study {
   revision: string;
   seed: string;
   swept: string[];
+  /** what is the weight of an edge, and the largest kept (0: all) */
+  measure: { force: "normal" | "total"; clamp: number };
   systems: System[];
 }
 
@@ -30,7 +34,13 @@ export interface Estimate {
 
 /** block "frames": per system, every column of ensemble/frames.csv over packing fraction */
 export interface Frames {
-  systems: { rho: number[]; quantities: Record<string, Estimate> }[];
+  /** unrelaxed: per packing fraction, how many realisations were not relaxed; absent where nothing relaxes */
+  systems: { rho: number[]; unrelaxed?: number[]; quantities: Record<string, Estimate> }[];
+}
+
+/** block "surfaces": quantities over packing fraction and force threshold; row by row, a row per packing fraction */
+export interface Surfaces {
+  systems: { rho: number[]; thresholds: number[]; unrelaxed?: number[]; quantities: Record<string, Estimate> }[];
 }
 
 /** blocks named after measures with several rows a frame (force_distribution, pair_correlation, betti) */
@@ -43,6 +53,8 @@ export type Columns = Record<string, { text: string; unit: string; formula: stri
 
 export interface Transitions {
   rows: { system: number; quantity: string; n: number; value: number; se: number | null }[];
+  /** per system, where the report says it jams, and which quantity that is */
+  jamming: ({ rho: number; quantity: string } | null)[];
 }
 
 export type Verdict = "pass" | "fail" | "known deviation" | "insufficient";
@@ -65,26 +77,26 @@ export interface Score {
   published: { system: number; value: number }[];
 }
 
-/** One packing: nodes are grains, then beads of walls, then foot points of walls and ghosts of periodic neighbours. */
+/** One packing: nodes are grains, then beads of walls, then points where a line ends at a wall or a periodic border. */
 export interface NetworkFrame {
   rho: number;
-  /** only there because it is the first above the rho_c of its system */
+  /** only there because it is the first where its system is jammed */
   own?: boolean;
   realisation: number;
-  /** x and y of the lower and upper corner of the picture */
-  extent: [number, number, number, number];
-  /** x and y of the lower and upper corner between which positions are quantised */
-  range: [number, number, number, number];
+  /** corners of the picture, two or three coordinates */
+  lower: number[];
+  upper: number[];
+  /** positions are quantised between the corners and this much around them */
+  margin: number;
   grains: number;
   beads: number;
   nodes: number;
-  /** uint16 x and y per node over the range; uint16 radius per node over radius_max */
-  x: string;
-  y: string;
+  /** per axis: uint16 coordinate per node; uint16 radius per node over radius_max */
+  axes: string[];
   radius: string;
   radius_max: number;
   contacts: number;
-  /** uint16 or uint32 (nodes > 65535) pairs; uint16 force over force_max, in mean grain-grain normal forces */
+  /** uint16 or uint32 (nodes > 65535) pairs; uint16 force over force_max, in mean forces between grains */
   pairs: string;
   force: string;
   force_max: number;
@@ -117,6 +129,7 @@ export interface Data {
   frames: Frames | null;
   columns: Columns | null;
   transitions: Transitions | null;
+  surfaces: Surfaces | null;
   score: Score | null;
   networks: Networks | null;
   diagrams: Diagrams | null;
@@ -131,6 +144,7 @@ export function load(): Data {
     frames: block("frames"),
     columns: block("columns"),
     transitions: block("transitions"),
+    surfaces: block("surfaces"),
     score: block("score"),
     networks: block("networks"),
     diagrams: block("diagrams"),
@@ -138,7 +152,22 @@ export function load(): Data {
   };
 }
 
-/** rho_c of a system as the study counts it (Z = 3), or null. */
-export function rhoC(data: Data, system: number): number | null {
-  return data.transitions?.rows.find((r) => r.system === system && r.quantity === "rho_c")?.value ?? null;
+/** Where a system jams, or null. */
+export function jammingOf(data: Data, system: number): number | null {
+  return data.transitions?.jamming[system]?.rho ?? null;
+}
+
+/** The sign of that point: rho_c where Z crosses 3 (S1), rho_J where Z(rho) has its inflection (S2). */
+export function jammingSymbol(data: Data): string {
+  const crossing = data.transitions?.jamming.some((point) => point?.quantity === "rho_c");
+  return `<i>ρ</i><sub>${crossing ? "c" : "J"}</sub>`;
+}
+
+/** Grains of a system; 1 where they are not known. */
+export function grainsOf(study: Study, system: number): number {
+  return Number(study.systems[system].options["grains.count"] ?? 1);
+}
+
+export function dimensionOf(study: Study, system: number): number {
+  return Number(study.systems[system].options["domain.dimension"] ?? 2);
 }

@@ -1,10 +1,12 @@
 // Title, one line of facts, one picture, and the way to the sections.
 import type { Context } from "./context";
 import type { Study } from "./data";
-import { rhoC } from "./data";
+import { jammingOf } from "./data";
 import { h, markup } from "./dom";
 import { plain } from "./numbers";
 import { drawPacking } from "./packing";
+import { drawSpheres } from "./spheres/picture";
+import { START_LOOK, startView } from "./spheres/view";
 import { pick } from "./sections/networks";
 
 function facts(study: Study): string[] {
@@ -23,14 +25,15 @@ function facts(study: Study): string[] {
 function emblem(context: Context): HTMLElement | null {
   const systems = context.data.networks?.systems ?? [];
   for (let system = systems.length - 1; system >= 0; --system) {
-    const frame = pick(systems[system], "own", rhoC(context.data, system));
+    const frame = pick(systems[system], "own", jammingOf(context.data, system));
     if (!frame) continue;
     const size = 300;
     const canvas = h("canvas");
     canvas.style.width = canvas.style.height = `${size}px`;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "force network of one packing");
-    drawPacking(canvas, frame, size);
+    if (frame.axes.length === 3) drawSpheres(canvas, frame, size, startView(), START_LOOK);
+    else drawPacking(canvas, frame, size);
     const text = `${context.labels[system]}, <i>ρ</i> = ${plain(frame.rho, 3)}`;
     return h("div", "emblem", canvas, markup(text, "div", "emblem-text"));
   }

@@ -12,6 +12,7 @@ import { mechanics } from "./sections/mechanics";
 import { diagrams, networks } from "./sections/networks";
 import { coordination, order } from "./sections/structure";
 import { summary, transitions } from "./sections/summary";
+import { surfaces } from "./sections/surfaces";
 import { topology } from "./sections/topology";
 import { State } from "./state";
 
@@ -22,6 +23,7 @@ const SECTIONS: Section[] = [
   diagrams,
   generators,
   coordination,
+  surfaces,
   topology,
   forces,
   order,

@@ -16,18 +16,18 @@ export function forceColour(force: number): string {
 }
 
 export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size: number): void {
-  const [x0, y0, x1, y1] = frame.extent;
+  const [x0, y0] = frame.lower;
+  const [x1, y1] = frame.upper;
   const scale = (size * pixelRatio) / Math.max(x1 - x0, y1 - y0);
   canvas.width = canvas.height = Math.round(size * pixelRatio);
   const ctx = canvas.getContext("2d")!;
   const left = (canvas.width - (x1 - x0) * scale) / 2;
   const top = (canvas.height - (y1 - y0) * scale) / 2;
-  const [u0, v0, u1, v1] = frame.range;
-  const xs = words(frame.x);
-  const ys = words(frame.y);
+  const [xs, ys] = frame.axes.map(words);
   const radius = words(frame.radius);
-  const x = (node: number) => left + (u0 + (xs[node] / 65535) * (u1 - u0) - x0) * scale;
-  const y = (node: number) => canvas.height - top - (v0 + (ys[node] / 65535) * (v1 - v0) - y0) * scale;
+  const from = (word: number, side: number) => (word / 65535) * (side + 2 * frame.margin) - frame.margin;
+  const x = (node: number) => left + from(xs[node], x1 - x0) * scale;
+  const y = (node: number) => canvas.height - top - from(ys[node], y1 - y0) * scale;
   const r = (node: number) => (radius[node] / 65535) * frame.radius_max * scale;
 
   const pairs = frame.nodes > 65535 ? longs(frame.pairs) : words(frame.pairs);

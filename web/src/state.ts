@@ -1,4 +1,5 @@
 // What the reader has chosen, shared by all figures: the systems shown, and the packing fraction of the pictures.
+import { START_LOOK, startView, type Look, type View } from "./spheres/view";
 
 export class Value<T> {
   private readonly listeners: ((value: T) => void)[] = [];
@@ -11,19 +12,23 @@ export class Value<T> {
     this.current = value;
     for (const listener of this.listeners) listener(value);
   }
-  /** Calls the listener now and after every change. */
-  watch(listener: (value: T) => void): void {
+  /** Calls the listener now and after every change, until the function returned is called. */
+  watch(listener: (value: T) => void): () => void {
     this.listeners.push(listener);
     listener(this.current);
+    return () => void this.listeners.splice(this.listeners.indexOf(listener), 1);
   }
 }
 
-/** "own": each system at the first picture above its own rho_c; a number: all at this packing fraction. */
+/** "own": each system at the first picture where it is jammed; a number: all at this packing fraction. */
 export type FrameChoice = "own" | number;
 
 export class State {
   readonly shown: Value<boolean[]>;
   readonly frame = new Value<FrameChoice>("own");
+  /** from where packings of spheres are seen, and what is drawn of them */
+  readonly view = new Value<View>(startView());
+  readonly look = new Value<Look>(START_LOOK);
 
   constructor(systems: number) {
     this.shown = new Value(new Array<boolean>(systems).fill(true));

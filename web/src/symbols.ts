@@ -25,14 +25,16 @@ export function optionValue(value: number | string): string {
   return typeof value === "number" ? plain(value) : escape(value);
 }
 
+/** A label of more options than these is none. */
+const MOST = 3;
+
 /** What tells a system from the others of its study: "r_p = .4, μ = .2", else its name. */
 export function systemLabel(study: Study, system: System): string {
   const parts = study.swept
     .filter((key) => key in system.swept)
     .map((key) => `${optionSymbol(key)} = ${optionValue(system.swept[key])}`);
-  const label = parts.join(", ");
   const shared = study.systems.some((other) => other !== system && sameSwept(study, other, system));
-  return parts.length && !shared ? label : escape(system.name);
+  return parts.length && parts.length <= MOST && !shared ? parts.join(", ") : escape(system.name);
 }
 
 function sameSwept(study: Study, a: System, b: System): boolean {

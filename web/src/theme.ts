@@ -21,6 +21,18 @@ export function faded(colour: string, alpha: number): string {
 const RAMP = ["#fbe3b3", "#f9b96b", "#ef7d4f", "#cf4461", "#8e2b74", "#45175f", "#160b39"];
 const RHO_RAMP = ["#b9d3e6", "#7fb3d3", "#4a90c0", "#2b6ca3", "#1d4a7d", "#0f2c55"];
 
+// Viridis (Smith and van der Walt): equal steps look equal, with any colour vision and in grey.
+const VIRIDIS = ["#440154", "#482475", "#414487", "#355f8d", "#2a788e", "#21918c", "#22a884", "#44bf70", "#7ad151", "#bddf26", "#fde725"];
+
+/** Channels from 0 to 255. */
+function channels(colour: string): [number, number, number] {
+  const value = parseInt(colour.slice(1), 16);
+  return [value >> 16, (value >> 8) & 255, value & 255];
+}
+
+/** The ramp of heat(), evenly spaced. */
+export const HEAT_STOPS = RAMP.map(channels);
+
 function mix(stops: string[], t: number): string {
   const position = Math.min(Math.max(t, 0), 1) * (stops.length - 1);
   const k = Math.min(Math.floor(position), stops.length - 2);
@@ -36,8 +48,16 @@ function mix(stops: string[], t: number): string {
 
 /** t in [0, 1]: weak to strong. */
 export const heat = (t: number): string => mix(RAMP, t);
+/** t in [0, 1]: small to large values of a surface. */
+export const surface = (t: number): string => mix(VIRIDIS, t);
 /** t in [0, 1]: loose to dense. */
 export const depth = (t: number): string => mix(RHO_RAMP, t);
+
+/** "#rrggbb" of "rgb(r,g,b)". */
+export function hex(rgb: string): string {
+  const parts = rgb.match(/\d+/g)!.map(Number);
+  return `#${parts.map((p) => p.toString(16).padStart(2, "0")).join("")}`;
+}
 
 export const INK = "#1f2733";
 export const MUTED = "#667085";

@@ -14,7 +14,7 @@ namespace jam {
 /// Title, program, and each system with its options and realisations.
 Json study_block(const Results& results);
 
-/// ensemble/transitions.csv
+/// ensemble/transitions.csv, and where each system jams
 Json transitions_block(const Results& results);
 
 /// Published values beside ours, when the study names targets that come with the program.
@@ -32,7 +32,8 @@ enum class FrameChoice { last, even };
 struct ManyChoice {
   std::string measure;
   FrameChoice frames;
-  double from;     ///< smallest packing fraction shown
+  double from;     ///< smallest packing fraction shown of discs
+  double from_3d;  ///< and of spheres
   double longest;  ///< largest abscissa shown
 };
 
@@ -42,8 +43,11 @@ std::vector<ManyChoice> many_choices();
 /// ensemble/<measure>.csv
 Json many_block(const Results& results, const ManyChoice& choice);
 
-/// Packings and forces, two dimensions only.
-Json networks_block(const std::vector<PictureSource>& sources);
+/// ensemble/level_sets.csv: quantities over packing fraction and force threshold.
+Json surfaces_block(const Results& results);
+
+/// Packings and their forces. `force` says which force of a contact is drawn.
+Json networks_block(const std::vector<PictureSource>& sources, EdgeForce force);
 
 /// Persistence diagrams of the same packings.
 Json diagrams_block(const std::vector<PictureSource>& sources);

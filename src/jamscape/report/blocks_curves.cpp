@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "jamscape/observe/measure.hpp"
 #include "jamscape/report/blocks.hpp"
@@ -13,6 +14,12 @@ namespace {
 
 bool any_finite(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// Columns that say nothing in so many dimensions: order of hexagons in three, voids in two.
+bool says_nothing(std::string_view column, std::int64_t dimension) {
+  if (dimension == 3) return column.starts_with("psi6");
+  return column == "tp2" || column == "b2" || column.starts_with("b2_") || column == "percolates_z";
 }
 
 Json estimate_json(const Estimates& estimates, std::size_t rows) {
@@ -29,29 +36,39 @@ Json frames_block(const Results& results) {
   if (!table) return nullptr;
   Json systems = Json::array();
   bool any = false;
-  for (const SystemRows& rows : ensemble_rows(results, *table, "")) {
+  const std::vector<SystemRows> all = ensemble_rows(results, *table, "");
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const SystemRows& rows = all[s];
+    const std::int64_t dimension = results.study.systems[s].options.domain.dimension;
     // Two stages may stop at the same packing fraction: the later frame is shown.
-    std::map<double, const FrameRows*> by_rho;
+    std::map<double, std::int64_t> by_rho;
     std::set<std::string> names;
     for (const auto& [frame, at] : rows.frames) {
-      by_rho[at.rho] = &at;
-      for (const auto& [name, estimates] : at.quantities) names.insert(name);
+      by_rho[at.rho] = frame;
+      for (const auto& [name, estimates] : at.quantities)
+        if (!says_nothing(name, dimension)) names.insert(name);
     }
     std::vector<double> rho;
-    for (const auto& [value, at] : by_rho) rho.push_back(value);
+    for (const auto& [value, frame] : by_rho) rho.push_back(value);
     Json quantities = Json::object();
     for (const std::string& name : names) {
       Estimates curve;
-      for (const auto& [value, at] : by_rho) {
-        const auto found = at->quantities.find(name);
-        const bool have = found != at->quantities.end() && !found->second.mean.empty();
+      for (const auto& [value, frame] : by_rho) {
+        const auto& at = rows.frames.at(frame);
+        const auto found = at.quantities.find(name);
+        const bool have = found != at.quantities.end() && !found->second.mean.empty();
         curve.mean.push_back(have ? found->second.mean.front() : std::nan(""));
         curve.error.push_back(have ? found->second.error.front() : std::nan(""));
       }
       if (any_finite(curve.mean)) quantities[name] = estimate_json(curve, rho.size());
     }
     any = any || !quantities.empty();
-    systems.push_back({{"rho", rounded(rho, 6)}, {"quantities", std::move(quantities)}});
+    Json system = {{"rho", rounded(rho, 6)}, {"quantities", std::move(quantities)}};
+    if (const auto& relaxed = results.relaxations[s]; !relaxed.empty()) {
+      system["unrelaxed"] = Json::array();
+      for (const auto& [value, frame] : by_rho) system["unrelaxed"].push_back(unrelaxed_runs(relaxed, frame));
+    }
+    systems.push_back(std::move(system));
   }
   return any ? Json{{"systems", std::move(systems)}} : Json();
 }
@@ -68,9 +85,9 @@ Json columns_block() {
 }
 
 std::vector<ManyChoice> many_choices() {
-  return {{"force_distribution", FrameChoice::even, 0.7599, 6.2},
-          {"pair_correlation", FrameChoice::last, 0, 8},
-          {"betti", FrameChoice::even, 0.6999, 5}};
+  return {{"force_distribution", FrameChoice::even, 0.7599, 0.4999, 6.2},
+          {"pair_correlation", FrameChoice::last, 0, 0, 8},
+          {"betti", FrameChoice::even, 0.6999, 0.4499, 5}};
 }
 
 Json many_block(const Results& results, const ManyChoice& choice) {
@@ -84,10 +101,14 @@ Json many_block(const Results& results, const ManyChoice& choice) {
   }
   Json systems = Json::array();
   bool any = false;
-  for (const SystemRows& rows : ensemble_rows(results, *table, abscissa)) {
+  const std::vector<SystemRows> all = ensemble_rows(results, *table, abscissa);
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const SystemRows& rows = all[s];
+    const std::int64_t dimension = results.study.systems[s].options.domain.dimension;
+    const double from = dimension == 3 ? choice.from_3d : choice.from;
     std::map<std::int64_t, double> rhos;
     for (const auto& [frame, at] : rows.frames)
-      if (at.rho >= choice.from) rhos[frame] = at.rho;
+      if (at.rho >= from) rhos[frame] = at.rho;
     const std::vector<std::int64_t> wanted =
         choice.frames == FrameChoice::even ? even_frames(rhos, 16) : last_frame(rhos);
     Json frames = Json::array();
@@ -98,7 +119,8 @@ Json many_block(const Results& results, const ManyChoice& choice) {
       std::vector<double> x(at.x.begin(), at.x.begin() + static_cast<std::ptrdiff_t>(rows_shown));
       Json quantities = Json::object();
       for (const auto& [name, estimates] : at.quantities)
-        if (estimates.mean.size() == at.x.size()) quantities[name] = estimate_json(estimates, rows_shown);
+        if (estimates.mean.size() == at.x.size() && !says_nothing(name, dimension))
+          quantities[name] = estimate_json(estimates, rows_shown);
       frames.push_back({{"rho", rounded(at.rho, 6)}, {"x", rounded(x)}, {"quantities", std::move(quantities)}});
     }
     any = any || !frames.empty();

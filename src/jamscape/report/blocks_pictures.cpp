@@ -12,23 +12,33 @@
 namespace jam {
 namespace {
 
-/// Positions leave the picture only by a periodic image; it is clipped there.
+/// One coordinate of all nodes, quantised between the ends of the picture and a margin around it.
+std::string packed_axis(const Drawing& d, int axis, double margin) {
+  std::vector<double> values;
+  values.reserve(d.position.size());
+  for (const Vec3& at : d.position) values.push_back(at[axis]);
+  return packed_words(values, d.lower[axis] - margin, d.upper[axis] + margin);
+}
+
 Json drawing_json(const Drawing& d) {
   const double radius_max = d.radius.empty() ? 1 : *std::max_element(d.radius.begin(), d.radius.end());
   const double force_max = d.force.empty() ? 1 : *std::max_element(d.force.begin(), d.force.end());
-  // One scale for x and y, from a margin of a diameter around the picture, so that images keep their place.
-  const double margin = 2 * radius_max;
-  const std::array<double, 4> range = {d.extent[0] - margin, d.extent[1] - margin, d.extent[2] + margin,
-                                       d.extent[3] + margin};
-  const bool wide = d.x.size() > 65535;
+  // A diameter, so that what leaves the picture by a little keeps its place.
+  const Json margin = rounded(2 * radius_max, 7);
+  const bool wide = d.position.size() > 65535;
   Json out;
-  out["extent"] = {rounded(d.extent[0], 7), rounded(d.extent[1], 7), rounded(d.extent[2], 7), rounded(d.extent[3], 7)};
-  out["range"] = {rounded(range[0], 7), rounded(range[1], 7), rounded(range[2], 7), rounded(range[3], 7)};
+  out["lower"] = Json::array();
+  out["upper"] = Json::array();
+  out["margin"] = margin;
+  out["axes"] = Json::array();
+  for (int axis = 0; axis < d.dimension; ++axis) {
+    out["lower"].push_back(rounded(d.lower[axis], 7));
+    out["upper"].push_back(rounded(d.upper[axis], 7));
+    out["axes"].push_back(packed_axis(d, axis, margin.get<double>()));
+  }
   out["grains"] = d.grains;
   out["beads"] = d.beads;
-  out["nodes"] = d.x.size();
-  out["x"] = packed_words(d.x, range[0], range[2]);
-  out["y"] = packed_words(d.y, range[1], range[3]);
+  out["nodes"] = d.position.size();
   out["radius"] = packed_words(d.radius, 0, radius_max);
   out["radius_max"] = rounded(radius_max);
   out["contacts"] = d.lines();
@@ -100,14 +110,12 @@ Json labelled(const PictureSource& source, const PictureFrame& frame, Json data)
 
 }  // namespace
 
-Json networks_block(const std::vector<PictureSource>& sources) {
-  return per_system(sources, [](const PictureSource& source) {
+Json networks_block(const std::vector<PictureSource>& sources, EdgeForce force) {
+  return per_system(sources, [force](const PictureSource& source) {
     Json frames = Json::array();
     const RunFile run(source.folder.run_file());
-    for (const PictureFrame& frame : source.frames) {
-      const Packing packing = run.frame(frame.stored);
-      if (packing.dimension == 2) frames.push_back(labelled(source, frame, drawing_json(drawing(packing))));
-    }
+    for (const PictureFrame& frame : source.frames)
+      frames.push_back(labelled(source, frame, drawing_json(drawing(run.frame(frame.stored), force))));
     return frames;
   });
 }

@@ -5,6 +5,7 @@
 #include "jamscape/base/schema.hpp"
 #include "jamscape/report/blocks.hpp"
 #include "jamscape/report/ensemble.hpp"
+#include "jamscape/report/jamming.hpp"
 
 namespace jam {
 namespace {
@@ -28,6 +29,18 @@ Json options_json(SystemOptions system) {
   if (system.grains.sizes == SizeLaw::bidisperse) out.erase("grains.width");
   if (!system.stages.empty()) out["speed"] = rounded(system.stages.back().speed, 8);
   return out;
+}
+
+/// How the relaxations of a system ended, over all frames and realisations; null where it relaxes nothing.
+Json relaxations_json(const std::map<std::int64_t, RelaxationCount>& frames) {
+  RelaxationCount sum;
+  for (const auto& [frame, count] : frames) {
+    sum.fluctuation += count.fluctuation;
+    sum.energy += count.energy;
+    sum.budget += count.budget;
+  }
+  if (sum.runs() == 0) return nullptr;
+  return {{"fluctuation", sum.fluctuation}, {"energy", sum.energy}, {"budget", sum.budget}};
 }
 
 }  // namespace
@@ -54,7 +67,8 @@ Json study_block(const Results& results) {
                        {"swept", std::move(swept)},
                        {"options", std::move(options)},
                        {"realisations", done[k]},
-                       {"planned", study.info.realisations}});
+                       {"planned", study.info.realisations},
+                       {"relaxations", relaxations_json(results.relaxations[k])}});
   }
   return {{"title", study.info.title.empty() ? study.info.name : study.info.title},
           {"name", study.info.name},
@@ -62,6 +76,9 @@ Json study_block(const Results& results) {
           {"revision", results.commit},
           {"seed", std::to_string(study.info.seed)},
           {"swept", varied},
+          {"measure",
+           {{"force", std::string(EnumNames<EdgeForce>::values[static_cast<std::size_t>(study.measure.force)].second)},
+            {"clamp", rounded(study.measure.clamp)}}},
           {"systems", std::move(systems)}};
 }
 
@@ -82,7 +99,11 @@ Json transitions_block(const Results& results) {
                     {"value", rounded(value[k], 7)},
                     {"se", n[k] > 1 ? rounded(error[k], 4) : Json()}});
   }
-  return rows.empty() ? Json() : Json{{"rows", std::move(rows)}};
+  if (rows.empty()) return nullptr;
+  Json jamming = Json::array();
+  for (const auto& point : jamming_points(results))
+    jamming.push_back(point ? Json{{"rho", rounded(point->value, 7)}, {"quantity", point->quantity}} : Json());
+  return {{"rows", std::move(rows)}, {"jamming", std::move(jamming)}};
 }
 
 }  // namespace jam

@@ -8,46 +8,59 @@
 namespace jam {
 namespace {
 
-double mean_force_between_grains(const Contacts& contacts) {
+double contact_force(const Contacts& contacts, std::size_t c, EdgeForce kind) {
+  const double normal = std::abs(contacts.normal_force[c]);
+  return kind == EdgeForce::total ? std::hypot(normal, norm(contacts.tangential_force[c])) : normal;
+}
+
+double mean_force_between_grains(const Contacts& contacts, EdgeForce kind) {
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.j[c] < 0 || contacts.overlap[c] < 0) continue;
-    sum += std::abs(contacts.normal_force[c]);
+    sum += contact_force(contacts, c, kind);
     ++count;
   }
   return count ? sum / static_cast<double>(count) : 0;
 }
 
-std::array<double, 4> extent_of(const Packing& p) {
-  double margin = 0;
-  for (const Wall& wall : p.walls) margin = std::max(margin, wall.bead_radius);
-  return {p.domain.lo[0] - margin, p.domain.lo[1] - margin, p.domain.hi[0] + margin, p.domain.hi[1] + margin};
-}
-
 class Sketch {
  public:
   explicit Sketch(const Packing& packing) : p_(packing) {
-    d_.extent = extent_of(p_);
-    for (std::size_t k = 0; k < p_.grains.size(); ++k) node(p_.grains.position[k], p_.grains.radius[k]);
-    d_.grains = d_.x.size();
+    d_.dimension = p_.dimension;
+    double margin = 0;
+    for (const Wall& wall : p_.walls) margin = std::max(margin, wall.bead_radius);
+    for (int a = 0; a < p_.dimension; ++a) {
+      d_.lower[a] = p_.domain.lo[a] - margin;
+      d_.upper[a] = p_.domain.hi[a] + margin;
+    }
+    for (std::size_t k = 0; k < p_.grains.size(); ++k) node(wrapped(p_.grains.position[k]), p_.grains.radius[k]);
+    d_.grains = d_.position.size();
     add_beads();
-    d_.beads = d_.x.size() - d_.grains;
+    d_.beads = d_.position.size() - d_.grains;
   }
 
-  Drawing finish() {
-    const double mean = mean_force_between_grains(p_.contacts);
+  Drawing finish(EdgeForce kind) {
+    const double mean = mean_force_between_grains(p_.contacts, kind);
     for (std::size_t c = 0; mean > 0 && c < p_.contacts.size(); ++c)
-      if (p_.contacts.normal_force[c] > 0) add_contact(c, p_.contacts.normal_force[c] / mean);
+      if (p_.contacts.normal_force[c] > 0) add_contact(c, contact_force(p_.contacts, c, kind) / mean);
     return std::move(d_);
   }
 
  private:
+  bool periodic(int axis) const { return p_.domain.periodic[static_cast<std::size_t>(axis)]; }
+  double side(int axis) const { return p_.domain.hi[axis] - p_.domain.lo[axis]; }
+
+  Vec3 wrapped(Vec3 at) const {
+    for (int a = 0; a < p_.dimension; ++a)
+      if (periodic(a)) at[a] -= std::floor((at[a] - p_.domain.lo[a]) / side(a)) * side(a);
+    return at;
+  }
+
   std::uint32_t node(const Vec3& at, double radius) {
-    d_.x.push_back(at[0]);
-    d_.y.push_back(at[1]);
+    d_.position.push_back(at);
     d_.radius.push_back(radius);
-    return static_cast<std::uint32_t>(d_.x.size() - 1);
+    return static_cast<std::uint32_t>(d_.position.size() - 1);
   }
 
   /// Rows of beads go on beyond the corners; only those that show are kept.
@@ -56,10 +69,9 @@ class Sketch {
       for (std::size_t b = 0; b < p_.walls[w].beads.size(); ++b) {
         const Vec3& at = p_.walls[w].beads[b];
         const double r = p_.walls[w].bead_radius;
-        if (at[0] + r <= d_.extent[0] || at[0] - r >= d_.extent[2] || at[1] + r <= d_.extent[1] ||
-            at[1] - r >= d_.extent[3])
-          continue;
-        bead_[{w, b}] = node(at, r);
+        bool shows = true;
+        for (int a = 0; a < p_.dimension; ++a) shows = shows && at[a] + r > d_.lower[a] && at[a] - r < d_.upper[a];
+        if (shows) bead_[{w, b}] = node(at, r);
       }
   }
 
@@ -69,25 +81,40 @@ class Sketch {
     d_.force.push_back(force);
   }
 
+  /// From a grain along `way` to where the line leaves the box.
+  void line_out(std::uint32_t from, const Vec3& way, double force) {
+    const Vec3& start = d_.position[from];
+    double part = 1;
+    for (int a = 0; a < p_.dimension; ++a) {
+      if (!periodic(a)) continue;
+      const double end = start[a] + way[a];
+      if (end > p_.domain.hi[a]) part = std::min(part, (p_.domain.hi[a] - start[a]) / way[a]);
+      if (end < p_.domain.lo[a]) part = std::min(part, (p_.domain.lo[a] - start[a]) / way[a]);
+    }
+    line(from, node(start + part * way, 0), force);
+  }
+
   void add_contact(std::size_t c, double force) {
     const std::uint32_t i = p_.contacts.i[c];
     const std::int32_t j = p_.contacts.j[c];
     if (j < 0) {
       const auto w = static_cast<std::size_t>(-1 - j);
       const auto bead = bead_.find({w, p_.contacts.part_j[c]});
-      line(i, bead != bead_.end() ? bead->second : node(p_.contacts.point[c], 0), force);
+      line(i, bead != bead_.end() ? bead->second : node(wrapped(p_.contacts.point[c]), 0), force);
       return;
     }
-    const auto& image = p_.contacts.image[c];
     const auto other = static_cast<std::uint32_t>(j);
-    if (image[0] == 0 && image[1] == 0) {
+    Vec3 way = p_.grains.position[other] - p_.grains.position[i];
+    for (int a = 0; a < p_.dimension; ++a)
+      if (periodic(a)) way[a] += p_.contacts.image[c][static_cast<std::size_t>(a)] * side(a);
+    // Two grains that are as far apart in the picture as they are in truth are joined by one line.
+    const Vec3 off = d_.position[other] - d_.position[i] - way;
+    if (norm(off) < 1e-6) {
       line(i, other, force);
       return;
     }
-    Vec3 shift{};
-    for (int k = 0; k < 2; ++k) shift[k] = image[static_cast<std::size_t>(k)] * (p_.domain.hi[k] - p_.domain.lo[k]);
-    line(i, node(p_.grains.position[other] + shift, 0), force);
-    line(other, node(p_.grains.position[i] - shift, 0), force);
+    line_out(i, way, force);
+    line_out(other, -1.0 * way, force);
   }
 
   const Packing& p_;
@@ -97,6 +124,6 @@ class Sketch {
 
 }  // namespace
 
-Drawing drawing(const Packing& packing) { return Sketch(packing).finish(); }
+Drawing drawing(const Packing& packing, EdgeForce force) { return Sketch(packing).finish(force); }
 
 }  // namespace jam

@@ -26,7 +26,8 @@ struct SystemRows {
   std::int64_t realisations = 0;             ///< the largest n
 };
 
-/// One entry per system of the study. `abscissa` names the column that tells rows of a frame apart, or is empty.
+/// One entry per system of the study; where frames follow relaxations, only those. `abscissa` names the column that
+/// tells rows of a frame apart, or is empty.
 std::vector<SystemRows> ensemble_rows(const Results& results, const Table& table, const std::string& abscissa);
 
 }  // namespace jam

@@ -13,18 +13,19 @@ namespace jam {
 struct PictureFrame {
   double rho;          ///< planned packing fraction
   std::size_t stored;  ///< index in run.h5
-  bool own;            ///< only here because it is the first above the rho_c of its system
+  bool own;            ///< only here because it is the first where its system is jammed
 };
 
 struct PictureSource {
   Task task;
   TaskFolder folder;
   std::vector<PictureFrame> frames;  ///< empty where no realisation is finished
-  std::vector<PictureFrame> all;     ///< every planned frame, by packing fraction
+  std::vector<PictureFrame> all;     ///< the frames there are to choose from, by packing fraction
 };
 
-/// Per system of the study: its first finished realisation; the frames nearest to [report] pictures, or the last few at
-/// multiples of .02; and the first frame at or above the system's rho_c.
+/// Per system of the study: its first finished realisation; the frames nearest to [report] pictures, or a few of them
+/// (even_frames()), fewer where the packings are large; and the first frame at or above the point where the system
+/// jams.
 std::vector<PictureSource> choose_pictures(const Results& results);
 
 }  // namespace jam

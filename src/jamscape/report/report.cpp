@@ -19,8 +19,9 @@ void write_report(const std::filesystem::path& results_dir) {
   add("frames", frames_block(results));
   add("columns", columns_block());
   for (const ManyChoice& choice : many_choices()) add("many-" + choice.measure, many_block(results, choice));
+  add("surfaces", surfaces_block(results));
   const std::vector<PictureSource> pictures = choose_pictures(results);
-  add("networks", networks_block(pictures));
+  add("networks", networks_block(pictures, results.study.measure.force));
   add("diagrams", diagrams_block(pictures));
   write_text(results_dir / "report.html", print_page(page));
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jamscape/base/table.hpp"
+#include "jamscape/report/relaxation.hpp"
 #include "jamscape/study/study.hpp"
 
 namespace jam {
@@ -16,6 +17,7 @@ struct Results {
   std::filesystem::path folder;
   Study study;
   std::string version, commit;  ///< of the program that wrote the results; empty where unknown
+  Relaxations relaxations;      ///< per system; all empty where the study relaxes nothing
 
   /// A table below the folder, e.g. "ensemble/frames.csv"; nothing when there is no such file.
   std::optional<Table> table(std::string_view name) const;

@@ -41,12 +41,12 @@ TEST(Drawing, ForcesAreInUnitsOfTheMeanBetweenGrains) {
   add_contact(p, 0, 1, 1);
   add_contact(p, 0, -1, 8);  // walls do not count in the mean
   add_contact(p, 1, 2, 3);
-  const Drawing d = drawing(p);
+  const Drawing d = drawing(p, EdgeForce::normal);
   EXPECT_EQ(d.force, (std::vector<double>{0.5, 4, 1.5}));
   EXPECT_EQ(d.ends, (std::vector<std::uint32_t>{0, 1, 0, 3, 1, 2}));
   EXPECT_EQ(d.grains, 3u);
   // A plane wall has no bead: the line ends where the force acts.
-  EXPECT_EQ(d.x[3], 0.25);
+  EXPECT_EQ(d.position[3], (Vec3{0.25, 0.75, 0}));
   EXPECT_EQ(d.radius[3], 0);
 }
 
@@ -55,7 +55,7 @@ TEST(Drawing, AttractiveContactsAreNotDrawn) {
   for (double x : {0.5, 1.5, 2.5}) add_grain(p, x, 1);
   add_contact(p, 0, 1, 2);
   add_contact(p, 1, 2, -1);
-  EXPECT_EQ(drawing(p).lines(), 1u);
+  EXPECT_EQ(drawing(p, EdgeForce::normal).lines(), 1u);
 }
 
 TEST(Drawing, BeadsOutsideThePictureAreLeftOut) {
@@ -69,9 +69,10 @@ TEST(Drawing, BeadsOutsideThePictureAreLeftOut) {
   p.walls.push_back(wall);
   add_contact(p, 0, -1, 1);
   add_contact(p, 0, 1, 1);
-  const Drawing d = drawing(p);
+  const Drawing d = drawing(p, EdgeForce::normal);
   EXPECT_EQ(d.beads, 1u);
-  EXPECT_EQ(d.extent, (std::array<double, 4>{-0.5, -0.5, 2.5, 2.5}));
+  EXPECT_EQ(d.lower, (Vec3{-0.5, -0.5, 0}));
+  EXPECT_EQ(d.upper, (Vec3{2.5, 2.5, 0}));
   EXPECT_EQ(d.ends, (std::vector<std::uint32_t>{0, 2, 0, 1}));
 }
 
@@ -81,16 +82,56 @@ TEST(Drawing, AContactAcrossTheBorderIsDrawnOnBothSides) {
   add_grain(p, 0.2, 1);
   add_grain(p, 2.3, 1);
   add_contact(p, 0, 1, 1, {-1, 0, 0});
-  const Drawing d = drawing(p);
+  const Drawing d = drawing(p, EdgeForce::normal);
   ASSERT_EQ(d.lines(), 2u);
-  EXPECT_DOUBLE_EQ(d.x[d.ends[1]], 2.3 - 3);
-  EXPECT_DOUBLE_EQ(d.x[d.ends[3]], 0.2 + 3);
+  // Each line ends at the border it crosses.
+  EXPECT_DOUBLE_EQ(d.position[d.ends[1]][0], 0);
+  EXPECT_DOUBLE_EQ(d.position[d.ends[3]][0], 3);
+}
+
+TEST(Drawing, GrainsThatWanderedOutOfThePeriodicBoxAreDrawnInside) {
+  Packing p = box(3);
+  p.dimension = 3;
+  p.domain.hi[2] = 3;
+  p.domain.periodic = {true, true, true};
+  add_grain(p, 0.2 + 6, 1);
+  add_grain(p, 0.9, 1 - 3);
+  add_contact(p, 0, 1, 1, {2, 1, 0});
+  const Drawing d = drawing(p, EdgeForce::normal);
+  EXPECT_NEAR(d.position[0][0], 0.2, 1e-12);
+  EXPECT_NEAR(d.position[1][1], 1, 1e-12);
+  EXPECT_EQ(d.ends, (std::vector<std::uint32_t>{0, 1}));  // one line, none across the border
+}
+
+TEST(Drawing, ALineAcrossAnEdgeEndsAtTheNearestFace) {
+  Packing p = box(3);
+  p.dimension = 3;
+  p.domain.hi[2] = 3;
+  p.domain.periodic = {true, true, true};
+  add_grain(p, 2.8, 2.6);
+  add_grain(p, 0.2, 0.4);
+  add_contact(p, 0, 1, 1, {1, 1, 0});
+  const Drawing d = drawing(p, EdgeForce::normal);
+  ASSERT_EQ(d.lines(), 2u);
+  const Vec3 end = d.position[d.ends[1]];
+  EXPECT_NEAR(end[0], 3, 1e-12);
+  EXPECT_NEAR(end[1], 2.6 + 0.8 * 0.2 / 0.4, 1e-12);
+}
+
+TEST(Drawing, TheTotalForceHasItsTangentialPart) {
+  Packing p = box(4);
+  for (double x : {0.5, 1.5, 2.5}) add_grain(p, x, 1);
+  add_contact(p, 0, 1, 3);
+  add_contact(p, 1, 2, 5);
+  p.contacts.tangential_force[0] = {0, 4, 0};
+  EXPECT_EQ(drawing(p, EdgeForce::total).force, (std::vector<double>{1, 1}));
+  EXPECT_EQ(drawing(p, EdgeForce::normal).force, (std::vector<double>{0.75, 1.25}));
 }
 
 TEST(Drawing, NoContactsNoLines) {
   Packing p = box(3);
   add_grain(p, 1, 1);
-  EXPECT_EQ(drawing(p).lines(), 0u);
+  EXPECT_EQ(drawing(p, EdgeForce::normal).lines(), 0u);
 }
 
 }  // namespace

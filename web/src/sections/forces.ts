@@ -4,7 +4,7 @@ import type { Section } from "../context";
 import { joinBins } from "../bins";
 import { figure, h, markup } from "../dom";
 import { plain } from "../numbers";
-import { depth } from "../theme";
+import { depth, hex } from "../theme";
 
 /** Bins narrower than this, in mean forces, or with fewer contacts than LEAST are joined with their neighbours. */
 const WIDTH = 0.1;
@@ -76,8 +76,3 @@ export const forces: Section = {
     ];
   },
 };
-
-function hex(rgb: string): string {
-  const parts = rgb.match(/\d+/g)!.map(Number);
-  return `#${parts.map((p) => p.toString(16).padStart(2, "0")).join("")}`;
-}

@@ -1,15 +1,17 @@
 // Pictures of the force network and the persistence diagrams of the same packings, at one packing fraction for all
 // systems or each at its own jamming.
 import type { Context, Section } from "../context";
-import { rhoC } from "../data";
+import { jammingOf, jammingSymbol, type NetworkFrame } from "../data";
 import { figure, h, markup } from "../dom";
 import { plain } from "../numbers";
 import { drawForceKey, drawPacking, STRONGEST } from "../packing";
 import { drawDiagram } from "../persistence";
+import { drawSpheres, makeTurnable } from "../spheres/picture";
+import { sphereTools } from "../spheres/tools";
 import type { FrameChoice } from "../state";
 import { systemColour } from "../theme";
 
-/** The frame of a system that a choice means: the first at or above its rho_c, or the nearest to a packing fraction. */
+/** The frame of a system that a choice means: the first at or above its jamming, or the nearest to a packing fraction. */
 export function pick<F extends { rho: number }>(frames: F[], choice: FrameChoice, jamming: number | null): F | null {
   if (!frames.length) return null;
   if (choice === "own") return frames.find((f) => jamming !== null && f.rho >= jamming - 1e-9) ?? frames[frames.length - 1];
@@ -21,7 +23,7 @@ function chooser(context: Context, rhos: number[]): HTMLElement {
   const { frame } = context.state;
   const choices: FrameChoice[] = context.data.transitions ? ["own", ...rhos] : rhos;
   const buttons = choices.map((choice) => {
-    const text = choice === "own" ? "each just above its <i>ρ</i><sub>c</sub>" : plain(choice, 3);
+    const text = choice === "own" ? `each just above its ${jammingSymbol(context.data)}` : plain(choice, 3);
     const button = h("button", "choice", markup(text));
     button.addEventListener("click", () => frame.set(choice));
     frame.watch((now) => button.setAttribute("aria-pressed", String(now === choice)));
@@ -53,8 +55,14 @@ function rhosOf(systems: { rho: number; own?: boolean }[][]): number[] {
   return [...new Set(common.map((f) => f.rho))].sort((a, b) => a - b);
 }
 
+const isSpheres = (frame: NetworkFrame) => frame.axes.length === 3;
+
 /** A canvas that is drawn again at its new size, and anew when the choice changes. */
-function picture(context: Context, draw: (canvas: HTMLCanvasElement, size: number) => void): HTMLCanvasElement {
+function picture(
+  context: Context,
+  draw: (canvas: HTMLCanvasElement, size: number) => void,
+  spheres = false,
+): HTMLCanvasElement {
   const canvas = h("canvas", "picture");
   canvas.setAttribute("role", "img");
   let size = 0;
@@ -64,22 +72,57 @@ function picture(context: Context, draw: (canvas: HTMLCanvasElement, size: numbe
     size = width;
     requestAnimationFrame(() => draw(canvas, size));
   }).observe(canvas);
-  context.state.frame.watch(() => {
+  const redraw = onceAFrame(() => {
     if (size) draw(canvas, size);
   });
+  const { frame, view, look } = context.state;
+  frame.watch(redraw);
+  if (spheres) for (const value of [view, look]) value.watch(redraw);
   return canvas;
 }
 
-function enlarged(title: string, draw: (canvas: HTMLCanvasElement, size: number) => void): void {
+/** At most one call each time the screen is drawn. */
+function onceAFrame(call: () => void): () => void {
+  let waiting = false;
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => {
+      waiting = false;
+      call();
+    });
+  };
+}
+
+function enlarged(
+  context: Context,
+  title: string,
+  draw: (canvas: HTMLCanvasElement, size: number) => void,
+  turnable = false,
+): void {
   const size = Math.min(window.innerWidth, window.innerHeight) - 90;
   const canvas = h("canvas", "large");
   canvas.style.width = canvas.style.height = `${size}px`;
   const dialog = h("dialog", "lightbox", markup(title, "div", "picture-title"), canvas);
-  dialog.addEventListener("click", () => dialog.close());
-  dialog.addEventListener("close", () => dialog.remove());
+  const redraw = onceAFrame(() => draw(canvas, size));
+  const stop = turnable ? context.state.view.watch(redraw) : () => {};
+  dialog.addEventListener("click", (event) => {
+    if (!turnable || event.target !== canvas) dialog.close();
+  });
+  dialog.addEventListener("close", () => {
+    stop();
+    dialog.remove();
+  });
+  if (turnable) makeTurnable(canvas, context.state, null, true);
   document.body.append(dialog);
   dialog.showModal();
   draw(canvas, size);
+}
+
+function drawNetwork(context: Context, canvas: HTMLCanvasElement, frame: NetworkFrame, size: number): void {
+  const { view, look } = context.state;
+  if (isSpheres(frame)) drawSpheres(canvas, frame, size, view.get(), look.get());
+  else drawPacking(canvas, frame, size);
 }
 
 function hideWithLegend(context: Context, system: number, element: HTMLElement): void {
@@ -99,16 +142,23 @@ export const networks: Section = {
     const rhos = rhosOf(networks?.systems ?? []);
     if (!networks || !rhos.length) return null;
     if (!context.data.transitions) context.state.frame.set(rhos[rhos.length - 1]);
+    const { state } = context;
     const cells = networks.systems.flatMap((frames, system) => {
       if (!frames.length) return [];
-      const chosen = () => pick(frames, context.state.frame.get(), rhoC(context.data, system))!;
-      const draw = (canvas: HTMLCanvasElement, size: number) => drawPacking(canvas, chosen(), size);
-      const canvas = picture(context, draw);
-      canvas.title = "click to enlarge";
+      const chosen = () => pick(frames, state.frame.get(), jammingOf(context.data, system))!;
+      const draw = (canvas: HTMLCanvasElement, size: number) => drawNetwork(context, canvas, chosen(), size);
+      const canvas = picture(context, draw, isSpheres(frames[0]));
       canvas.setAttribute("aria-label", `force network of ${context.data.study.systems[system].name}`);
-      canvas.addEventListener("click", () => enlarged(titleOf(context, system, chosen().rho), draw));
+      const open = () => enlarged(context, titleOf(context, system, chosen().rho), draw, isSpheres(frames[0]));
+      if (isSpheres(frames[0])) {
+        canvas.title = "drag to turn, click to enlarge";
+        makeTurnable(canvas, state, open, false);
+      } else {
+        canvas.title = "click to enlarge";
+        canvas.addEventListener("click", open);
+      }
       const title = markup("", "div", "picture-title");
-      context.state.frame.watch(() => (title.innerHTML = titleOf(context, system, chosen().rho)));
+      state.frame.watch(() => (title.innerHTML = titleOf(context, system, chosen().rho)));
       const element = h("div", "cell", title, canvas);
       hideWithLegend(context, system, element);
       return [element];
@@ -116,15 +166,22 @@ export const networks: Section = {
     const key = h("canvas");
     drawForceKey(key, 180, 16);
     const scale = h("div", "force-key", "0", key, markup(`${STRONGEST} <i>F̄</i>`));
-    const first = networks.systems.flat()[0];
+    const all = networks.systems.flat();
+    const total = context.data.study.measure.force === "total";
+    const spheres = all.some(isSpheres);
+    const tools = spheres ? [sphereTools(context)] : [];
     return [
       chooser(context, rhos),
-      figure("", [h("div", "pictures networks", ...cells), scale], {
+      figure("", [...tools, h("div", "pictures networks", ...cells), scale], {
         text:
-          "Normal forces between the grains of one packing per system: the width of a line grows with its force and its " +
-          "colour darkens, in units of the mean force <i>F̄</i>; grains with fewer than two contacts are pale, " +
-          `${first.beads ? "beads of the walls are grey, " : ""}forces on the walls end there. Click a picture to enlarge it.`,
-        source: `Realisation ${first.realisation}. Compare S1, Fig. 3.`,
+          `${total ? "Contact forces" : "Normal forces"} between the grains of one packing per system: the width of a line grows with ` +
+          "its force and its colour darkens, in units of the mean force <i>F̄</i>; grains with fewer than two contacts are pale, " +
+          `${all.some((f) => f.beads) ? "beads of the walls are grey, " : ""}forces on the walls end there. ` +
+          (spheres
+            ? "Drag a packing of spheres to turn it (arrow keys too; + and − change its size), click a picture to enlarge it. " +
+              "Grains without forces take the colour of the largest force that acts on them."
+            : "Click a picture to enlarge it."),
+        source: `Realisation ${all[0].realisation}. Compare ${total ? "S2, Fig. 1" : "S1, Fig. 3"}.`,
       }),
     ];
   },
@@ -140,18 +197,16 @@ export const diagrams: Section = {
     if (!context.data.transitions && !context.data.networks) context.state.frame.set(rhos[rhos.length - 1]);
     const cells = diagrams.systems.flatMap((frames, system) => {
       if (!frames.length) return [];
-      const chosen = () => pick(frames, context.state.frame.get(), rhoC(context.data, system))!;
+      const chosen = () => pick(frames, context.state.frame.get(), jammingOf(context.data, system))!;
       const title = markup("", "div", "picture-title");
       context.state.frame.watch(() => (title.innerHTML = titleOf(context, system, chosen().rho)));
-      const plots = [0, 1]
-        .filter((dimension) => dimension < frames[0].dimensions.length)
-        .map((dimension) => {
+      const plots = frames[0].dimensions.map((_, dimension) => {
           const draw = (canvas: HTMLCanvasElement, size: number) => drawDiagram(canvas, chosen(), dimension, size);
           const canvas = picture(context, draw);
-          const name = dimension === 0 ? "<i>β</i><sub>0</sub> components" : "<i>β</i><sub>1</sub> loops";
+          const name = `<i>β</i><sub>${dimension}</sub> ${["components", "loops", "voids"][dimension]}`;
           canvas.title = "click to enlarge";
           canvas.setAttribute("aria-label", `persistence diagram, dimension ${dimension}, ${context.data.study.systems[system].name}`);
-          canvas.addEventListener("click", () => enlarged(titleOf(context, system, chosen().rho, name), draw));
+          canvas.addEventListener("click", () => enlarged(context, titleOf(context, system, chosen().rho, name), draw));
           return h("div", "diagram", markup(name, "div", "diagram-name"), canvas);
         });
       const element = h("div", "cell", title, h("div", "pair", ...plots));

@@ -1,0 +1,52 @@
+// The box around a packing: its edges, and the names of its axes.
+import { FONT, INK, MUTED } from "../theme";
+import type { Scene } from "./scene";
+import { rotate, type View } from "./view";
+
+type Point = [number, number, number];
+
+/** The twelve edges. */
+export function boxEdges(scene: Scene): [Point, Point][] {
+  const edges: [Point, Point][] = [];
+  for (let axis = 0; axis < 3; ++axis)
+    for (const u of [-1, 1])
+      for (const v of [-1, 1]) {
+        const ends = [-1, 1].map((side) => {
+          const point: Point = [0, 0, 0];
+          point[axis] = side * scene.half[axis];
+          point[(axis + 1) % 3] = u * scene.half[(axis + 1) % 3];
+          point[(axis + 2) % 3] = v * scene.half[(axis + 2) % 3];
+          return point;
+        });
+        edges.push([ends[0], ends[1]]);
+      }
+  return edges;
+}
+
+/** Three arrows in the lower left corner; `unit` is one pixel of the page. */
+export function drawAxes(ctx: CanvasRenderingContext2D, size: number, unit: number, view: View): void {
+  const length = 24 * unit;
+  const [x0, y0] = [36 * unit, size - 36 * unit];
+  const arrows = ["x", "y", "z"].map((name, axis) => {
+    const unitVector = [0, 0, 0];
+    unitVector[axis] = 1;
+    return { name, way: rotate(view.rotation, unitVector[0], unitVector[1], unitVector[2]) };
+  });
+  ctx.save();
+  ctx.lineWidth = 1.5 * unit;
+  ctx.lineCap = "round";
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  ctx.font = `italic ${13 * unit}px "STIX Two Text", Cambria, Georgia, "Times New Roman", serif, ${FONT}`;
+  for (const { name, way } of arrows.sort((a, b) => a.way[2] - b.way[2])) {
+    const [x, y] = [x0 + way[0] * length, y0 - way[1] * length];
+    ctx.strokeStyle = MUTED;
+    ctx.beginPath();
+    ctx.moveTo(x0, y0);
+    ctx.lineTo(x, y);
+    ctx.stroke();
+    ctx.fillStyle = INK;
+    ctx.fillText(name, x0 + way[0] * (length + 9 * unit), y0 - way[1] * (length + 9 * unit));
+  }
+  ctx.restore();
+}

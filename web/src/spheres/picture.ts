@@ -1,0 +1,74 @@
+// A picture of a packing of spheres that can be turned: by dragging, by the arrow keys, larger with + and −.
+import type { NetworkFrame } from "../data";
+import { pixelRatio } from "../pixel_ratio";
+import type { State } from "../state";
+import { drawAxes } from "./box";
+import { drawWithGl } from "./gl";
+import { drawPlain } from "./plain";
+import { sceneOf } from "./scene";
+import { startView, turned, type Look, type View } from "./view";
+
+export function drawSpheres(canvas: HTMLCanvasElement, frame: NetworkFrame, size: number, view: View, look: Look): void {
+  const side = Math.round(size * pixelRatio);
+  if (canvas.width !== side || canvas.height !== side) canvas.width = canvas.height = side;
+  const ctx = canvas.getContext("2d")!;
+  const scene = sceneOf(frame);
+  if (!drawWithGl(ctx, side, scene, view, look)) drawPlain(ctx, side, scene, view, look);
+  drawAxes(ctx, side, pixelRatio * Math.min(Math.max(size / 420, 0.8), 1.5), view);
+}
+
+/** Radians per width of the picture. */
+const TURN = 3;
+
+export function zoomed(view: View, factor: number): View {
+  return { ...view, zoom: Math.min(Math.max(view.zoom * factor, 0.6), 8) };
+}
+
+/** Lets the reader turn what the canvas shows. `clicked` is called for a press that was no drag. */
+export function makeTurnable(canvas: HTMLCanvasElement, state: State, clicked: (() => void) | null, wheel: boolean): void {
+  const { view } = state;
+  canvas.tabIndex = 0;
+  canvas.classList.add("turnable");
+  let last: { x: number; y: number; moved: number } | null = null;
+  canvas.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    last = { x: event.clientX, y: event.clientY, moved: 0 };
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    if (!last) return;
+    const [dx, dy] = [event.clientX - last.x, event.clientY - last.y];
+    last = { x: event.clientX, y: event.clientY, moved: last.moved + Math.abs(dx) + Math.abs(dy) };
+    const angle = TURN / canvas.clientWidth;
+    view.set({ ...view.get(), rotation: turned(view.get().rotation, dx * angle, dy * angle) });
+  });
+  canvas.addEventListener("pointerup", () => {
+    if (last && last.moved < 4) clicked?.();
+    last = null;
+  });
+  canvas.addEventListener("pointercancel", () => (last = null));
+  canvas.addEventListener(
+    "wheel",
+    (event) => {
+      if (!wheel && !event.ctrlKey && !event.metaKey) return; // the page scrolls
+      event.preventDefault();
+      view.set(zoomed(view.get(), Math.exp(-event.deltaY / 500)));
+    },
+    { passive: false },
+  );
+  const keys: Record<string, () => View> = {
+    ArrowLeft: () => ({ ...view.get(), rotation: turned(view.get().rotation, -0.1, 0) }),
+    ArrowRight: () => ({ ...view.get(), rotation: turned(view.get().rotation, 0.1, 0) }),
+    ArrowUp: () => ({ ...view.get(), rotation: turned(view.get().rotation, 0, -0.1) }),
+    ArrowDown: () => ({ ...view.get(), rotation: turned(view.get().rotation, 0, 0.1) }),
+    "+": () => zoomed(view.get(), 1.2),
+    "-": () => zoomed(view.get(), 1 / 1.2),
+    "0": startView,
+  };
+  canvas.addEventListener("keydown", (event) => {
+    const next = keys[event.key];
+    if (!next) return;
+    event.preventDefault();
+    view.set(next());
+  });
+}
