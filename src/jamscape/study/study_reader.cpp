@@ -201,6 +201,17 @@ class StudyReader {
         throw usage_error(fmt::format("the system '{}' has no stages, so nothing would happen", system.name), file_,
                           "add a [[stage]]; `jamscape studies quickstart` shows one");
     }
+    check_measures();
+  }
+
+  void check_measures() {
+    try {
+      jam::check(study_.measure);
+    } catch (const Error& error) {
+      const auto place = places_.find(error.place());
+      throw usage_error(error.problem(), place != places_.end() ? place->second : file_ + ": " + error.place(),
+                        error.suggestion());
+    }
   }
 
   std::string file_;

@@ -87,6 +87,13 @@ TEST(StudyReader, WrongTypesUnitsAndRanges) {
   EXPECT_NE(complaint("[study]\nname = \"a\"\n[stage]\nto = 1\n").find("[[stage]]"), std::string::npos);
 }
 
+TEST(StudyReader, OptionsOfMeasuresThatDoNotGoTogether) {
+  EXPECT_EQ(complaint(with("[measure]\nforce_min = 0\n")).find("s.toml:"), 0u);
+  EXPECT_NE(complaint(with("[measure]\nforce_min = 0\n")).find("logarithmic bins"), std::string::npos);
+  EXPECT_NE(complaint(with("[measure]\nlevel_max = 1e6\n")).find("too many"), std::string::npos);
+  EXPECT_NO_THROW(read(with("[measure]\nforce_min = 0\nforce_scale = \"linear\"\n")));
+}
+
 TEST(StudyReader, RepeatedKeysAndBrokenSyntax) {
   EXPECT_EQ(complaint("[study]\nname = \"a\"\nname = \"b\"\n").substr(0, 9), "s.toml:3:");
   EXPECT_EQ(complaint("[study\n").substr(0, 9), "s.toml:1:");
