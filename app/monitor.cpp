@@ -60,7 +60,9 @@ void Monitor::progress(std::size_t task, const Progress& progress) {
   State& s = states_[task];
   s.step = progress.step;
   s.packing_fraction = progress.packing_fraction;
-  s.part = progress.steps > 0 ? static_cast<double>(progress.step) / static_cast<double>(progress.steps) : 0;
+  // A plan with relaxations only guesses its steps.
+  s.part =
+      progress.steps > 0 ? std::min(0.99, static_cast<double>(progress.step) / static_cast<double>(progress.steps)) : 0;
   if (!s.seen) s.part_found = s.resumed ? s.part : 0;
   s.seen = true;
 }
@@ -72,6 +74,11 @@ void Monitor::measuring(std::size_t task) {
   if (!s.seen && !simulated) s.part_found = 1;
   s.phase = Phase::measuring;
   s.part = 1;
+}
+
+void Monitor::warned(std::size_t task, const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  event(task, "warning", reason);
 }
 
 void Monitor::finished(std::size_t task, bool simulated) {

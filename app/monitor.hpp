@@ -26,6 +26,7 @@ class Monitor : public RunListener {
   void started(std::size_t task, bool resumed) override;
   void progress(std::size_t task, const Progress& progress) override;
   void measuring(std::size_t task) override;
+  void warned(std::size_t task, const std::string& reason) override;
   void finished(std::size_t task, bool simulated) override;
   void failed(std::size_t task, const std::string& reason) override;
   void skipped(std::size_t task) override;

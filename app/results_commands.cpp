@@ -14,6 +14,7 @@
 #include "jamscape/base/threads.hpp"
 #include "jamscape/io/packing_csv.hpp"
 #include "jamscape/study/builtin.hpp"
+#include "jamscape/study/collected.hpp"
 #include "jamscape/study/results.hpp"
 #include "jamscape/study/score.hpp"
 #include "jamscape/study/verify.hpp"
@@ -24,7 +25,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ExitCode report(const std::string& dir) {
+/// Tables kept elsewhere become a folder of their own that holds them and what is made of them.
+void copy_collected(const std::string& from, const std::string& to) {
+  if (!is_collected(from))
+    throw usage_error("--out is for tables kept without their simulations", from,
+                      "leave it out: the report stays with the results");
+  write_study(to, study_of_results(from));
+  for (const auto& entry : fs::directory_iterator(from))
+    if (entry.path().filename().string().ends_with(".csv.gz"))
+      fs::copy_file(entry.path(), fs::path(to) / entry.path().filename(), fs::copy_options::overwrite_existing);
+}
+
+ExitCode report(const std::string& from, const std::string& out) {
+  if (!out.empty()) copy_collected(from, out);
+  const std::string& dir = out.empty() ? from : out;
+  std::error_code ignored;
+  if (is_collected(dir) && !fs::exists(fs::path(dir) / "study.toml", ignored))
+    throw usage_error("these tables have no study.toml, so a report cannot stand beside them", dir, "--out FOLDER");
   const Study study = study_of_results(dir);
   const std::vector<Task> tasks = list_tasks(study);
   measure_tasks(study, tasks, dir, usable_cores(), Remeasure::missing);
@@ -54,7 +71,7 @@ ExitCode score(const std::string& dir, const std::string& file, bool as_json) {
   const std::vector<Target> targets = find_targets(study, file);
   const std::vector<Task> tasks = list_tasks(study);
   measure_tasks(study, tasks, dir, usable_cores(), Remeasure::missing);
-  const std::vector<Score> scores = score_targets(targets, study, find_done(tasks, dir, chosen_measures(study)));
+  const std::vector<Score> scores = score_targets(targets, study, find_done(study, tasks, dir));
   std::size_t count[4] = {};
   for (const Score& s : scores) {
     ++count[static_cast<std::size_t>(s.verdict)];
@@ -157,8 +174,9 @@ void add_results_commands(CLI::App& program, Action& action) {
     sub->callback([a, run, &action] { action = [a, run] { return run(*a); }; });
     return sub;
   };
-  add("report", "Write tables, means and DIR/report.html again from what is stored",
-      [](const Arguments& x) { return report(x.dir); });
+  CLI::App* r = add("report", "Write tables, means and DIR/report.html again from what is stored",
+                    [](const Arguments& x) { return report(x.dir, x.out); });
+  r->add_option("--out,-o", a->out, "another folder for them, where DIR holds collected tables only");
   CLI::App* s = add("score", "Published values beside ours, one row per target",
                     [](const Arguments& x) { return score(x.dir, x.file, x.json); });
   s->add_option("--targets", a->file, "file of targets (default: those the study names)");

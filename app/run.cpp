@@ -101,8 +101,12 @@ ExitCode run(const RunArguments& a) {
     fmt::print(stderr, "this share is done; tables and report are written when the last share ends\n");
     return result.failed > 0 ? ExitCode::some_failed : ExitCode::done;
   }
-  write_results(study, tasks, out, a.json ? Summary::json : a.quiet ? Summary::none : Summary::text);
-  return result.failed > 0 ? ExitCode::some_failed : ExitCode::done;
+  const std::size_t not_relaxed = write_results(study, tasks, out,
+                                                a.json    ? Summary::json
+                                                : a.quiet ? Summary::none
+                                                          : Summary::text);
+  if (result.failed > 0) return ExitCode::some_failed;
+  return a.strict && not_relaxed > 0 ? ExitCode::not_converged : ExitCode::done;
 }
 
 }  // namespace

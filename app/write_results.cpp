@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "jamscape/base/files.hpp"
@@ -25,9 +26,26 @@ const Transition* find(const std::vector<Transition>& transitions, std::string_v
   return nullptr;
 }
 
+/// S2's reading of jamming: inflection and contact numbers there.
+void print_relaxed(const Study& study, const std::vector<std::vector<Transition>>& transitions, std::size_t width) {
+  fmt::print(
+      "{:{}}  runs  rho_j (inflection)   Z at rho_j         Z above            without rattlers   rho_p (percolates)\n",
+      "system", width);
+  for (std::size_t s = 0; s < study.systems.size(); ++s) {
+    const auto text = [&](std::string_view quantity) {
+      const Transition* t = find(transitions[s], quantity);
+      return t ? with_error(*t) : "-";
+    };
+    const Transition* j = find(transitions[s], "rho_j");
+    fmt::print("{:{}}  {:4}  {:19}  {:17}  {:17}  {:17}  {}\n", study.systems[s].name, width, j ? j->n : 0,
+               text("rho_j"), text("z_at_rho_j"), text("z_above"), text("z_backbone_above"), text("rho_p"));
+  }
+}
+
 void print_summary(const Study& study, const std::vector<std::vector<Transition>>& transitions) {
   std::size_t width = 6;
   for (const System& s : study.systems) width = std::max(width, s.name.size());
+  if (relaxes(study)) return print_relaxed(study, transitions, width);
   fmt::print("{:{}}  runs  rho_c (mean Z = 3)   rho_c, Z of grains with 2 contacts   inflection of Z\n", "system",
              width);
   for (std::size_t s = 0; s < study.systems.size(); ++s) {
@@ -41,9 +59,10 @@ void print_summary(const Study& study, const std::vector<std::vector<Transition>
   }
 }
 
-void print_json(const Study& study, const std::vector<std::vector<Transition>>& transitions,
-                const std::string& report) {
+void print_json(const Study& study, const std::vector<std::vector<Transition>>& transitions, const std::string& report,
+                std::size_t not_relaxed) {
   nlohmann::json json{{"event", "summary"}, {"report", report}, {"systems", nlohmann::json::array()}};
+  if (relaxes(study)) json["frames_not_relaxed"] = not_relaxed;
   for (std::size_t s = 0; s < study.systems.size(); ++s) {
     nlohmann::json system{{"system", study.systems[s].name}};
     for (const Transition& t : transitions[s])
@@ -55,21 +74,28 @@ void print_json(const Study& study, const std::vector<std::vector<Transition>>& 
 
 }  // namespace
 
-void write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results,
-                   Summary summary) {
+std::size_t write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results,
+                          Summary summary) {
   const FileLock lock = FileLock::lock(results / "lock.tables");  // shards may end at the same moment
-  const std::vector<DoneTask> done = find_done(tasks, results, chosen_measures(study));
+  const std::vector<DoneTask> done = find_done(study, tasks, results);
   write_tables(study, done, results);
   write_ensemble(study, done, results);
   const std::vector<std::vector<Transition>> transitions = write_transitions(study, done, results);
   write_report(results);
   const std::string report = std::filesystem::absolute(results / "report.html").lexically_normal().string();
-  if (summary == Summary::json) print_json(study, transitions, report);
-  if (summary != Summary::text) return;
+  const std::size_t not_relaxed = frames_not_relaxed(done);
+  if (not_relaxed > 0)
+    fmt::print(stderr,
+               "warning: {} frames are not relaxed: their relaxation ran out of its budget (`budget` in the column "
+               "`relaxation`)\n  stage.NAME.relax_windows sets the budget\n",
+               not_relaxed);
+  if (summary == Summary::json) print_json(study, transitions, report, not_relaxed);
+  if (summary != Summary::text) return not_relaxed;
   if (done.size() < tasks.size())
     fmt::print("{} of {} runs are done; the others are left out\n", done.size(), tasks.size());
   print_summary(study, transitions);
   fmt::print("report: {}\n", report);
+  return not_relaxed;
 }
 
 }  // namespace jam::app

@@ -3,21 +3,90 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "jamscape/base/error.hpp"
 
 namespace jam {
+namespace {
 
-std::vector<DoneTask> find_done(const std::vector<Task>& tasks, const std::filesystem::path& results,
-                                const std::vector<const Measure*>& measures) {
+std::vector<DoneTask> find_simulated(const std::vector<Task>& tasks, const std::filesystem::path& results,
+                                     const std::vector<const Measure*>& measures) {
   std::vector<DoneTask> done;
   for (const Task& task : tasks) {
     TaskFolder folder(results, task.hash);
     if (!has_all_frames(folder, task.plan) || !has_rows(folder, measures)) continue;
     std::vector<std::size_t> stored = stored_frames(RunFile(folder.run_file()), task.plan).value();
-    done.push_back({&task, std::move(folder), std::move(stored)});
+    done.push_back({&task, std::move(folder), task.plan.frames, std::move(stored)});
   }
   return done;
+}
+
+}  // namespace
+
+std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks,
+                                const std::filesystem::path& results) {
+  const std::vector<const Measure*> chosen = chosen_measures(study);
+  if (!is_collected(results)) return find_simulated(tasks, results, chosen);
+  std::vector<std::map<std::uint64_t, CollectedTask>> of_system;
+  for (const System& system : study.systems) of_system.push_back(read_collected(results, system.name, chosen));
+  std::vector<DoneTask> done;
+  for (const Task& task : tasks) {
+    auto& held = of_system[task.system];
+    const auto at = held.find(task.realisation);
+    if (at == held.end()) continue;
+    std::vector<std::size_t> stored(at->second.frames.size());
+    for (std::size_t f = 0; f < stored.size(); ++f) stored[f] = f;
+    const auto rows = std::make_shared<CollectedTask>(std::move(at->second));
+    done.push_back({&task, TaskFolder(results, task.hash), rows->frames, std::move(stored), rows});
+  }
+  return done;
+}
+
+std::vector<const Measure*> measured(const Study& study, const std::vector<DoneTask>& done) {
+  std::vector<const Measure*> measures = chosen_measures(study);
+  std::erase_if(measures, [&](const Measure* m) {
+    return std::any_of(done.begin(), done.end(),
+                       [&](const DoneTask& d) { return d.collected && !d.collected->rows.contains(m->name); });
+  });
+  return measures;
+}
+
+CachedRows read_rows(const DoneTask& done, const Measure& measure) {
+  return done.collected ? done.collected->rows.at(measure.name) : read_cached_rows(done.folder, measure);
+}
+
+std::vector<std::string> relaxations(const DoneTask& done) {
+  std::vector<std::string> texts(done.stored.size());
+  const Measure& measure = relaxation_measure();
+  if (done.collected ? !done.collected->rows.contains(measure.name) : !has_rows(done.folder, {&measure})) return texts;
+  const CachedRows rows = read_rows(done, measure);
+  for (std::size_t f = 0; f < texts.size(); ++f)
+    if (done.stored[f] < rows.lines.size() && rows.lines[done.stored[f]].size() == 1)
+      texts[f] = rows.lines[done.stored[f]].front();
+  return texts;
+}
+
+std::size_t frames_not_relaxed(const std::vector<DoneTask>& done) {
+  std::size_t n = 0;
+  for (const DoneTask& d : done)
+    for (const std::string& relaxation : relaxations(d)) n += relaxation == "budget";
+  return n;
+}
+
+bool relaxes(const Study& study) {
+  for (const System& system : study.systems)
+    for (const StageOptions& stage : system.options.stages)
+      if (stage.kind != StageKind::compress) return true;
+  return false;
+}
+
+std::vector<std::size_t> FrameSeries::states() const {
+  const bool any = std::any_of(relaxed.begin(), relaxed.end(), [](bool r) { return r; });
+  std::vector<std::size_t> kept;
+  for (std::size_t f = 0; f < target.size(); ++f)
+    if (!any || relaxed[f]) kept.push_back(f);
+  return kept;
 }
 
 const std::vector<std::vector<double>>* FrameSeries::find(std::string_view name) const {
@@ -33,13 +102,21 @@ FrameSeries read_frame_series(const std::vector<const DoneTask*>& done, const st
     if (m->rows == Rows::frame) per_frame.push_back(m);
   for (const Measure* m : per_frame)
     for (const ColumnInfo& c : m->columns)
-      if (c.name != "step" && c.name != "time") series.quantity.push_back(c.name);
+      if (c.name != "step" && c.name != "time")
+        series.quantity.push_back(c.name), series.averaging.push_back(c.averaging);
+  const bool any_relaxed = std::any_of(done.begin(), done.end(), [](const DoneTask* d) {
+    return std::any_of(d->frames.begin(), d->frames.end(), [](const PlannedFrame& f) { return f.relaxed; });
+  });
+  if (any_relaxed) series.quantity.push_back("not_relaxed"), series.averaging.push_back(Averaging::mean);
   series.value.resize(series.quantity.size());
   if (done.empty()) return series;
 
   std::size_t frames = done.front()->stored.size();
   for (const DoneTask* d : done) frames = std::min(frames, d->stored.size());
-  for (std::size_t f = 0; f < frames; ++f) series.target.push_back(done.front()->task->plan.frames[f].packing_fraction);
+  for (std::size_t f = 0; f < frames; ++f) {
+    series.target.push_back(done.front()->frames[f].packing_fraction);
+    series.relaxed.push_back(done.front()->frames[f].relaxed);
+  }
   for (const DoneTask* d : done) {
     std::size_t q = 0;
     for (const Measure* m : per_frame) {
@@ -51,12 +128,17 @@ FrameSeries read_frame_series(const std::vector<const DoneTask*>& done, const st
         series.value[q++].push_back(std::move(values));
       }
     }
+    if (!any_relaxed) continue;
+    std::vector<double> values;
+    for (const std::string& relaxation : relaxations(*d)) values.push_back(relaxation == "budget" ? 1 : 0);
+    values.resize(frames);
+    series.value[q].push_back(std::move(values));
   }
   return series;
 }
 
 FrameRows read_frame_rows(const DoneTask& done, const Measure& measure) {
-  const CachedRows cached = read_cached_rows(done.folder, measure);
+  const CachedRows cached = read_rows(done, measure);
   const std::string file = done.folder.tables().string();
   FrameRows rows(done.stored.size());
   for (std::size_t f = 0; f < done.stored.size(); ++f) {

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "jamscape/observe/measure.hpp"
+#include "jamscape/study/collected.hpp"
 #include "jamscape/study/measure_task.hpp"
 #include "jamscape/study/study.hpp"
 #include "jamscape/study/task.hpp"
@@ -15,26 +17,45 @@
 
 namespace jam {
 
-/// A task whose run.h5 holds every planned frame and whose rows have been measured.
+/// A task whose run.h5 holds every planned frame and whose rows have been measured, or whose rows are kept in tables.
 struct DoneTask {
   const Task* task = nullptr;
   TaskFolder folder;
-  std::vector<std::size_t> stored;  ///< index in run.h5 of each planned frame
+  std::vector<PlannedFrame> frames;
+  std::vector<std::size_t> stored;                           ///< index of each frame in run.h5 and in the cached rows
+  std::shared_ptr<const CollectedTask> collected = nullptr;  ///< in place of the folder, where tables are all there is
 };
 
-/// Those that are done and have rows of all these measures, in the order of the tasks.
-std::vector<DoneTask> find_done(const std::vector<Task>& tasks, const std::filesystem::path& results,
-                                const std::vector<const Measure*>& measures);
+/// Those that are done and have rows of all measures of the study (from tables: of any), in the order of the tasks.
+std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks,
+                                const std::filesystem::path& results);
+
+/// The measures of the study that all these tasks have rows of.
+std::vector<const Measure*> measured(const Study& study, const std::vector<DoneTask>& done);
+
+CachedRows read_rows(const DoneTask& done, const Measure& measure);
+
+/// What ended the relaxation before each frame; empty texts where there was none.
+std::vector<std::string> relaxations(const DoneTask& done);
+/// Frames of these tasks whose relaxation ran out of its budget.
+std::size_t frames_not_relaxed(const std::vector<DoneTask>& done);
+/// True when a system of the study relaxes, and so its tables say how.
+bool relaxes(const Study& study);
 
 /// Quantities of one row a frame, of all realisations of one system.
 struct FrameSeries {
   std::vector<double> target;         ///< planned packing fraction of each frame
-  std::vector<std::string> quantity;  ///< packing_fraction, packing_fraction_plain, then the measures' columns
+  std::vector<bool> relaxed;          ///< taken after a relaxation
+  std::vector<std::string> quantity;  ///< packing_fraction, packing_fraction_plain, the measures' columns, and where
+                                      ///< frames are relaxed `not_relaxed`: 1 where that ran out of its budget
+  std::vector<Averaging> averaging;   ///< of each quantity
   std::vector<std::vector<std::vector<double>>> value;  ///< [quantity][realisation][frame]
   std::size_t realisations = 0;
 
   /// [realisation][frame], or nullptr for a quantity that was not measured.
   const std::vector<std::vector<double>>* find(std::string_view name) const;
+  /// Indices of the frames that curves over the packing fraction are made of: the relaxed ones where there are any.
+  std::vector<std::size_t> states() const;
 };
 
 /// Frames that not all realisations have are left out. Throws a data error for damaged rows.

@@ -2,20 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 #include "jamscape/base/files.hpp"
-#include "jamscape/stats/moments.hpp"
+#include "jamscape/study/averaging.hpp"
 #include "jamscape/study/tables.hpp"
 
 namespace jam {
 namespace {
 
-std::string print_moments(std::vector<double> values) {
-  std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  const Moments m = moments(values);
-  return fmt::format("{},{},{},{}\n", m.n, m.mean, m.sd, m.se);
+std::string print(const Moments& m) { return fmt::format("{},{},{},{}\n", m.n, m.mean, m.sd, m.se); }
+
+/// One value per realisation, of one frame.
+std::vector<double> at_frame(const std::vector<std::vector<double>>& runs, std::size_t frame) {
+  std::vector<double> values;
+  for (const std::vector<double>& run : runs) values.push_back(run[frame]);
+  return values;
 }
 
 std::string frames_text(const Study& study, const std::vector<std::vector<const DoneTask*>>& systems,
@@ -23,13 +25,19 @@ std::string frames_text(const Study& study, const std::vector<std::vector<const 
   std::string text = "system" + varied.header + ",frame,packing_fraction_target,quantity,n,mean,sd,se\n";
   for (std::size_t s = 0; s < systems.size(); ++s) {
     const FrameSeries series = read_frame_series(systems[s], measures);
-    for (std::size_t f = 0; f < series.target.size(); ++f)
-      for (std::size_t q = 0; q < series.quantity.size(); ++q) {
-        std::vector<double> values;
-        for (const std::vector<double>& run : series.value[q]) values.push_back(run[f]);
-        text += fmt::format("{}{},{},{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f,
-                            series.target[f], series.quantity[q], print_moments(std::move(values)));
-      }
+    for (std::size_t f = 0; f < series.target.size(); ++f) {
+      const std::string leading =
+          fmt::format("{}{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f, series.target[f]);
+      for (std::size_t q = 0; q < series.quantity.size(); ++q)
+        text += fmt::format("{},{},{}", leading, series.quantity[q],
+                            print(average(at_frame(series.value[q], f), series.averaging[q])));
+      for (const Measure* m : measures)
+        for (const PooledRatio& ratio : m->ratios)
+          if (m->rows == Rows::frame && series.realisations > 0)
+            text += fmt::format(
+                "{},{},{}", leading, ratio.name,
+                print(pooled_ratio(at_frame(*series.find(ratio.over), f), at_frame(*series.find(ratio.under), f))));
+    }
   }
   return text;
 }
@@ -57,14 +65,24 @@ std::string measure_text(const Study& study, const std::vector<std::vector<const
           for (std::size_t q = 0; q < bin.size(); ++q) bin[q].push_back(row[abscissae + q]);
         }
       }
-      const std::string leading = fmt::format("{}{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f,
-                                              systems[s].front()->task->plan.frames[f].packing_fraction);
-      for (const auto& [at, quantities] : bins)
+      const std::string frame = fmt::format("{}{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f,
+                                            systems[s].front()->frames[f].packing_fraction);
+      for (const auto& [at, quantities] : bins) {
+        std::string leading = frame;
+        for (const double a : at) leading += fmt::format(",{}", a);
+        const auto values = [&](const std::string& column) -> const std::vector<double>& {
+          std::size_t q = 0;
+          while (measure.columns[abscissae + q].name != column) ++q;
+          return quantities[q];
+        };
         for (std::size_t q = 0; q < quantities.size(); ++q) {
-          text += leading;
-          for (const double a : at) text += fmt::format(",{}", a);
-          text += fmt::format(",{},{}", measure.columns[abscissae + q].name, print_moments(quantities[q]));
+          const ColumnInfo& column = measure.columns[abscissae + q];
+          text += fmt::format("{},{},{}", leading, column.name, print(average(quantities[q], column.averaging)));
         }
+        for (const PooledRatio& ratio : measure.ratios)
+          text += fmt::format("{},{},{}", leading, ratio.name,
+                              print(pooled_ratio(values(ratio.over), values(ratio.under))));
+      }
     }
   }
   return text;
@@ -75,7 +93,7 @@ std::string measure_text(const Study& study, const std::vector<std::vector<const
 void write_ensemble(const Study& study, const std::vector<DoneTask>& done, const std::filesystem::path& results) {
   const VariedColumns varied = varied_columns(study);
   const auto systems = by_system(study, done);
-  const std::vector<const Measure*> chosen = chosen_measures(study);
+  const std::vector<const Measure*> chosen = measured(study, done);
   make_folder(results / "ensemble");
   write_text(results / "ensemble" / "frames.csv", frames_text(study, systems, chosen, varied));
   for (const Measure* m : chosen)

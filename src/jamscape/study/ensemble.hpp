@@ -3,8 +3,9 @@
 //   system, <options that differ between systems>, frame, packing_fraction_target, [abscissae], quantity, n, mean, sd,
 //   se
 //
-// for frames.csv (one row a frame, all its quantities) and for every averaged measure with several rows a frame. Values
-// that are not finite are left out of n.
+// for frames.csv (one row a frame, all its quantities) and for every averaged measure with several rows a frame; pooled
+// ratios of a measure follow its columns. Each column says how it is averaged (averaging.hpp); n counts the values
+// behind a mean.
 #pragma once
 
 #include <filesystem>

@@ -85,11 +85,28 @@ const Measure& instant_measure() {
   return measure;
 }
 
+const Measure& relaxation_measure() {
+  static const Measure measure{.name = "relaxation",
+                               .title = "what ended the relaxation",
+                               .formula = "",
+                               .source = "",
+                               .columns = {{"relaxation", "", ""}},
+                               .evaluate = [](const Snapshot& snapshot) {
+                                 Table table;
+                                 table.add("relaxation", std::vector<std::string>{snapshot.packing().relaxation});
+                                 return table;
+                               }};
+  return measure;
+}
+
 std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measure*>& wanted,
                          const MeasureOptions& options, Remeasure what, const std::function<bool()>& stop) {
   std::vector<const Measure*> measures = {&instant_measure()};
   measures.insert(measures.end(), wanted.begin(), wanted.end());
   const RunFile run(folder.run_file());
+  const auto relaxed = [](const std::string& relaxation) { return !relaxation.empty(); };
+  if (std::any_of(run.relaxations().begin(), run.relaxations().end(), relaxed))
+    measures.push_back(&relaxation_measure());
   nlohmann::json keys = read_keys(folder);
   std::vector<const Measure*> missing;
   for (const Measure* m : measures) {

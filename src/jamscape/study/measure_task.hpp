@@ -18,6 +18,8 @@ std::vector<const Measure*> chosen_measures(const Study& study);
 
 /// What the leading columns of the tables need: step, time and the two packing fractions. Taken with every measure.
 const Measure& instant_measure();
+/// What ended the relaxation before a frame, as text; taken where frames follow relaxations.
+const Measure& relaxation_measure();
 
 enum class Remeasure { missing, all };
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/study/builtin.hpp"
+#include "jamscape/study/collected.hpp"
 #include "jamscape/study/identity.hpp"
 #include "jamscape/study/version.hpp"
 
@@ -28,9 +30,13 @@ FileLock take(const fs::path& file, LockMode mode, const std::string& what) {
 
 Study study_of_results(const fs::path& results) {
   std::error_code ignored;
-  if (!fs::exists(results / "study.toml", ignored))
+  if (!fs::exists(results / "study.toml", ignored)) {
+    const std::string file = fs::absolute(results).lexically_normal().filename().string() + ".toml";
+    if (const std::string_view text = builtin_file(file); !text.empty() && is_collected(results))
+      return read_study_text(text, "(built-in) " + file);
     throw usage_error("this is no folder of results: it holds no study.toml", results.string(),
                       "name the folder that `jamscape run` wrote");
+  }
   return read_study(results / "study.toml");
 }
 
@@ -66,13 +72,17 @@ void check_results(const fs::path& results, const Study& study) {
     }
 }
 
-void write_results_study(const fs::path& results, const Study& study) {
+void write_study(const fs::path& results, const Study& study) {
   make_folder(results);
   const FileLock lock = FileLock::lock(results / "lock.study");
   write_text(
       results / "study.toml",
       print_study(study) + fmt::format("\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\n",
                                        print_text(program_version()), print_text(program_commit()), physics_revision));
+}
+
+void write_results_study(const fs::path& results, const Study& study) {
+  write_study(results, study);
   make_folder(results / "tasks");
 }
 

@@ -18,7 +18,8 @@
 
 namespace jam {
 
-/// The study whose results a folder holds; throws a usage error when it is no folder of results.
+/// The study whose results a folder holds; throws a usage error when it is no folder of results. Collected tables
+/// (collected.hpp) without a study.toml belong to the built-in study that the folder is named after.
 Study study_of_results(const std::filesystem::path& results);
 
 /// Throws a usage error unless the folder is absent, empty, or holds results of this study: the same name and seed, and
@@ -27,6 +28,8 @@ Study study_of_results(const std::filesystem::path& results);
 void check_results(const std::filesystem::path& results, const Study& study);
 
 /// Makes the folder and writes study.toml.
+void write_study(const std::filesystem::path& results, const Study& study);
+/// The same, with a place for tasks.
 void write_results_study(const std::filesystem::path& results, const Study& study);
 
 /// Keeps other runners out while it lives.

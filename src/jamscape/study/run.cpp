@@ -70,6 +70,7 @@ class Runner {
       if (!done) listener_.started(index, fs::exists(folder.checkpoint()));
       fs::remove(folder.path() / "failed.txt");
       SimulateHooks hooks{[&](const Progress& p) { listener_.progress(index, p); }, [this] { return stopping(); },
+                          [&](const std::string& reason) { listener_.warned(index, reason); },
                           options_.checkpoint_interval};
       if (simulate_task(study_, task, folder, hooks) == Outcome::stopped) return Ending::stopped;
       listener_.measuring(index);

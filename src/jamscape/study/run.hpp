@@ -20,6 +20,8 @@ class RunListener {
   virtual void started(std::size_t /*task*/, bool /*resumed*/) {}
   virtual void progress(std::size_t /*task*/, const Progress&) {}
   virtual void measuring(std::size_t /*task*/) {}
+  /// Something was wrong and has been mended.
+  virtual void warned(std::size_t /*task*/, const std::string& /*reason*/) {}
   /// `simulated` is false for a task that was done before.
   virtual void finished(std::size_t /*task*/, bool /*simulated*/) {}
   virtual void failed(std::size_t /*task*/, const std::string& /*reason*/) {}

@@ -18,7 +18,7 @@ std::string_view verdict_name(Verdict verdict);
 struct Score {
   std::string target, source;
   std::string systems;    ///< "a", or "a > b"
-  std::string published;  ///< "0.814 +- 0.004", or "left > right"
+  std::string published;  ///< "0.814 +- 0.004", or "left > right", or "left = right +- 0.02"
   double ours = 0;        ///< the value, or left minus right; NaN where there is none
   double error = 0;       ///< its standard error; NaN where it cannot be estimated
   std::size_t n = 0;      ///< realisations behind it, of the side that has fewer
@@ -27,8 +27,8 @@ struct Score {
   std::string note;  ///< reason of a known deviation, or what is missing
 };
 
-/// A value passes within its tolerance; an order when left exceeds right by more than two standard errors. Fewer
-/// realisations than needed: insufficient. A known deviation is never a pass. `done` have been measured.
+/// A value or an agreement passes within its tolerance; an order when left exceeds right by more than two standard
+/// errors. Fewer realisations than needed: insufficient. A known deviation is never a pass. `done` have been measured.
 std::vector<Score> score_targets(const std::vector<Target>& targets, const Study& study,
                                  const std::vector<DoneTask>& done);
 

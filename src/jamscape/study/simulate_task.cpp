@@ -90,6 +90,34 @@ void assemble(const Study& study, const Task& task, const TaskFolder& folder) {
   assemble_run(files, folder.run_file(), provenance);
 }
 
+/// Where relaxations are, the plan only guesses how long they take.
+std::int64_t last_step(const Task& task, const TaskFolder& folder) {
+  if (task.plan.frames.empty() || task.plan.frames.back().step >= 0) return task.plan.steps;
+  return RunFile(folder.run_file()).steps().back();
+}
+
+/// Why one of the frames taken cannot be read, or "".
+std::string damaged_frame(const Task& task, const TaskFolder& folder) {
+  for (std::size_t k = 0; k < task.plan.frames.size(); ++k) try {
+      read_frame(folder.frame(k));
+    } catch (const Error& error) {
+      return error.what();
+    }
+  return {};
+}
+
+/// From the checkpoint, if there is one of use, to the end or until stopped.
+Outcome simulate_rest(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks) {
+  make_folder(folder.frames());
+  const std::optional<Resume> resume = find_checkpoint(task, folder);
+  if (!resume) {
+    folder.discard_partial();
+    make_folder(folder.frames());
+  }
+  folder.log(nlohmann::json{{"event", resume ? "resumed" : "started"}, {"commit", program_commit()}}.dump());
+  return simulate_from(study, task, folder, hooks, resume ? &*resume : nullptr);
+}
+
 }  // namespace
 
 std::string task_text(const Study& study, const Task& task) {
@@ -113,24 +141,28 @@ Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& fo
   if (const std::string reason = unreadable_run(folder); !reason.empty())
     throw data_error(reason, {},
                      "move run.h5 away to simulate again; another version of the program may still read it");
-  make_folder(folder.frames());
+  make_folder(folder.path());
   write_text(folder.path() / "task.toml", task_text(study, task));
   const auto begin = Clock::now();
-  const std::optional<Resume> resume = find_checkpoint(task, folder);
-  if (!resume) {
-    folder.discard_partial();
-    make_folder(folder.frames());
-  }
-  folder.log(nlohmann::json{{"event", resume ? "resumed" : "started"}, {"commit", program_commit()}}.dump());
-  const Outcome outcome = simulate_from(study, task, folder, hooks, resume ? &*resume : nullptr);
+  Outcome outcome = simulate_rest(study, task, folder, hooks);
+  if (outcome == Outcome::finished) try {
+      assemble(study, task, folder);
+    } catch (const Error&) {
+      const std::string reason = damaged_frame(task, folder);
+      if (reason.empty()) throw;  // the disk, not the frames
+      const fs::path aside = folder.set_aside_frames();
+      folder.log(nlohmann::json{{"event", "frames set aside"}, {"reason", reason}}.dump());
+      if (hooks.warning)
+        hooks.warning(
+            fmt::format("{}\n  the frames of this run are now in {} and are simulated again", reason, aside.string()));
+      outcome = simulate_rest(study, task, folder, hooks);
+      if (outcome == Outcome::finished) assemble(study, task, folder);
+    }
+  if (outcome == Outcome::finished) folder.discard_partial();
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  if (outcome == Outcome::finished) {
-    assemble(study, task, folder);
-    folder.discard_partial();
-  }
   folder.log(nlohmann::json{{"event", outcome == Outcome::finished ? "finished" : "stopped"},
                             {"seconds", seconds},
-                            {"steps", task.plan.steps},
+                            {"steps", outcome == Outcome::finished ? last_step(task, folder) : task.plan.steps},
                             {"bodies", task.plan.bodies}}
                  .dump());
   return outcome;

@@ -13,6 +13,7 @@ namespace jam {
 struct SimulateHooks {
   std::function<void(const Progress&)> progress;
   std::function<bool()> stop;
+  std::function<void(const std::string&)> warning = {};
   double checkpoint_interval = 60;  ///< seconds between checkpoints; saving changes no bit of the simulation
 };
 
@@ -20,8 +21,9 @@ struct SimulateHooks {
 std::string task_text(const Study& study, const Task& task);
 
 /// Simulates what is missing. Returns `stopped` when hooks.stop() asked for it (a checkpoint is kept), `finished` when
-/// run.h5 holds every planned frame. A run.h5 that cannot be read is a data error, never overwritten. Throws what the engine or the disk throws; the last checkpoint stays.
-/// The caller holds the lock of the folder.
+/// run.h5 holds every planned frame. A run.h5 that cannot be read is a data error, never overwritten; frames taken so
+/// far that cannot be read are set aside (TaskFolder::set_aside_frames) with a warning, and simulated again. Throws
+/// what the engine or the disk throws; the last checkpoint stays. The caller holds the lock of the folder.
 Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks);
 
 }  // namespace jam

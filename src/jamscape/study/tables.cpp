@@ -40,27 +40,29 @@ struct LedTask {
 
 std::vector<LedTask> lead(const Study& study, const std::vector<DoneTask>& done, const VariedColumns& varied) {
   std::vector<LedTask> led;
+  const bool with_relaxation = relaxes(study);
   for (const DoneTask& d : done) {
     const Task& task = *d.task;
-    const CachedRows instants = read_cached_rows(d.folder, instant_measure());
+    const CachedRows instants = read_rows(d, instant_measure());
+    const std::vector<std::string> relaxation = relaxations(d);
     LedTask t{&d, {}};
     for (std::size_t f = 0; f < d.stored.size(); ++f) {
       const std::string& instant = instants.lines.at(d.stored[f]).at(0);
       const std::size_t time = instant.find(',') + 1, fraction = instant.find(',', time);
-      t.leading.push_back(fmt::format("{},{}{},{},{},{},{}{}", csv_field(study.systems[task.system].name),
-                                      task.realisation, varied.of_system[task.system], f,
-                                      csv_field(task.plan.frames[f].stage), instant.substr(0, fraction),
-                                      task.plan.frames[f].packing_fraction, instant.substr(fraction)));
+      t.leading.push_back(fmt::format("{},{}{},{},{}{},{},{}{}", csv_field(study.systems[task.system].name),
+                                      task.realisation, varied.of_system[task.system], f, csv_field(d.frames[f].stage),
+                                      with_relaxation ? "," + relaxation[f] : "", instant.substr(0, fraction),
+                                      d.frames[f].packing_fraction, instant.substr(fraction)));
     }
     led.push_back(std::move(t));
   }
   return led;
 }
 
-std::string leading_header(const VariedColumns& varied) {
+std::string leading_header(const Study& study, const VariedColumns& varied) {
   return fmt::format(
-      "system,realisation{},frame,stage,step,time,packing_fraction_target,packing_fraction,packing_fraction_plain",
-      varied.header);
+      "system,realisation{},frame,stage{},step,time,packing_fraction_target,packing_fraction,packing_fraction_plain",
+      varied.header, relaxes(study) ? ",relaxation" : "");
 }
 
 void write_frames_table(const std::vector<LedTask>& done, const std::vector<const Measure*>& per_frame,
@@ -73,7 +75,7 @@ void write_frames_table(const std::vector<LedTask>& done, const std::vector<cons
   for (const LedTask& led : done) {
     const DoneTask& d = *led.done;
     std::vector<CachedRows> rows;
-    for (const Measure* m : per_frame) rows.push_back(read_cached_rows(d.folder, *m));
+    for (const Measure* m : per_frame) rows.push_back(read_rows(d, *m));
     for (std::size_t f = 0; f < d.stored.size(); ++f) {
       line = led.leading[f];
       for (std::size_t k = 0; k < per_frame.size(); ++k) {
@@ -97,7 +99,7 @@ void write_measure_table(const std::vector<LedTask>& done, const Measure& measur
   file.add(line + "\n");
   for (const LedTask& led : done) {
     const DoneTask& d = *led.done;
-    const CachedRows rows = read_cached_rows(d.folder, measure);
+    const CachedRows rows = read_rows(d, measure);
     for (std::size_t f = 0; f < d.stored.size(); ++f) {
       if (d.stored[f] >= rows.lines.size()) continue;
       for (const std::string& values : rows.lines[d.stored[f]]) file.add(led.leading[f] + "," + values + "\n");
@@ -140,9 +142,9 @@ VariedColumns varied_columns(const Study& study) {
 
 void write_tables(const Study& study, const std::vector<DoneTask>& done_tasks, const fs::path& results) {
   const VariedColumns varied = varied_columns(study);
-  const std::vector<const Measure*> chosen = chosen_measures(study);
+  const std::vector<const Measure*> chosen = measured(study, done_tasks);
   const std::vector<LedTask> done = lead(study, done_tasks, varied);
-  const std::string header = leading_header(varied);
+  const std::string header = leading_header(study, varied);
   make_folder(results / "tables");
   std::vector<const Measure*> per_frame;
   for (const Measure* m : chosen)

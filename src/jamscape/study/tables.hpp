@@ -1,8 +1,10 @@
 // DIR/tables/*.csv: all tasks' rows side by side, tidy. Leading columns
 //
-//   system, realisation, <options that differ between systems>, frame, stage, step, time,
+//   system, realisation, <options that differ between systems>, frame, stage, [relaxation,] step, time,
 //   packing_fraction_target, packing_fraction, packing_fraction_plain
 //
+// `relaxation` is there in studies that relax: what ended it before the frame, fluctuation, energy or budget (not
+// relaxed); empty where there was none.
 // then the measure's. Measures of one row a frame share `frames.csv`; the others have a file of their own. `frame` is
 // the index in the plan, `realisation` counts from 0. Only tasks that are done appear, in the order of the study.
 #pragma once

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "jamscape/base/error.hpp"
@@ -27,6 +28,22 @@ void add_condition(Side& side, const std::string& key, const Leaf& leaf) {
   side.where.emplace_back(key, leaf.value);
 }
 
+/// `at`, `minus` and `between` are understood here, where their place is known.
+void check_states(const Leaf& leaf) {
+  const std::string name = leaf.key.substr(leaf.key.rfind('.') + 1);
+  if (name != "at" && name != "minus" && name != "between") return;
+  if (const auto* text = std::get_if<std::string>(&leaf.value.value)) read_state(*text, leaf.value.place);
+  const auto* list = std::get_if<std::vector<Written>>(&leaf.value.value);
+  if (list && list->size() != 2)
+    throw usage_error("'between' needs two states, the first and the last", leaf.value.place,
+                      "between = [\"rho_j-0.04\", \"rho_j+0.04\"]");
+  if (list)
+    for (const Written& item : *list)
+      if (const auto* text = std::get_if<std::string>(&item.value))
+        if (const StateName s = read_state(*text, item.place); s.kind >= StateName::Kind::max)
+          throw usage_error(fmt::format("'{}' is no single state", *text), item.place, "rho_j-0.04, first, last, 0.8");
+}
+
 Target read_target(const toml::table& table, const std::string& file) {
   Target t;
   std::vector<Option> options = {{"name", {.text = "what is compared"}, &t.name},
@@ -46,7 +63,7 @@ Target read_target(const toml::table& table, const std::string& file) {
     else if (leaf.key.starts_with("right.where."))
       add_condition(t.right, leaf.key.substr(12), leaf);
     else
-      assign(find_option(options, leaf), leaf.value);
+      assign(find_option(options, leaf), leaf.value), check_states(leaf);
   }
   const std::string place = place_of(file, table.source().begin);
   if (t.name.empty()) throw usage_error("a target has no name", place);
@@ -57,6 +74,28 @@ Target read_target(const toml::table& table, const std::string& file) {
 }
 
 }  // namespace
+
+StateName read_state(std::string_view text, const std::string& place) {
+  using Kind = StateName::Kind;
+  for (const auto& [name, kind] :
+       {std::pair("first", Kind::first), std::pair("last", Kind::last), std::pair("max", Kind::max),
+        std::pair("min", Kind::min), std::pair("mean", Kind::mean)})
+    if (text == name) return {kind, {}, 0};
+  StateName state;
+  std::string_view rest = text;
+  if (rest.starts_with("rho_")) {
+    const std::size_t end = std::min(rest.find_first_of("+-"), rest.size());
+    state.transition = rest.substr(0, end);
+    rest.remove_prefix(end);
+    if (rest.empty()) return state;
+    if (rest.front() == '+') rest.remove_prefix(1);
+  }
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), state.offset);
+  if (error != std::errc{} || end != rest.data() + rest.size() || !std::isfinite(state.offset))
+    throw usage_error(fmt::format("'{}' is no packing fraction", text), place,
+                      "a number, first, last, max, min, mean, rho_c or rho_j+0.02");
+  return state;
+}
 
 std::vector<Target> read_targets(std::string_view text, const std::string& file) {
   const toml::table document = parse_toml(text, file);

@@ -1,4 +1,4 @@
-// Published values as data (studies/*.targets.toml). Each [[target]] is either a value with a tolerance,
+// Published values as data (studies/*.targets.toml). Each [[target]] is a value with a tolerance,
 //
 //   quantity = "rho_c", value = 0.814, tolerance = 0.004, where = { contact.friction = 0, grains.width = 0.4 }
 //
@@ -7,8 +7,16 @@
 //   left  = { quantity = "b0_strong", at = "max", where = { ... } }
 //   right = { quantity = "b0_strong", at = "max", where = { ... } }      or     right = { value = 0.8 }
 //
-// `where` picks the systems by their options; a target whose `where` fits several systems is scored for each, both
-// sides in the same one if `right` has no `where`. See Side for the quantities.
+// or, with a tolerance beside the two sides, their agreement. `where` picks the systems by their options; a target
+// whose `where` fits several systems is scored for each, both sides in the same one if `right` has no `where`.
+//
+// A side is a transition (transitions.hpp), or is read off the curve of each realisation over the packing fraction:
+//
+//   quantity  column of frames.csv, or measure.column: there the rows of a state become one number by `reduce`, over
+//             those whose first abscissa lies in `over`
+//   at        which state of that curve: "0.9", "first", "last", "rho_c", "rho_j-0.04", ... (the nearest), or what the
+//             curve makes of all states, or of those in `between`: "max", "min", "mean"
+//   minus     a state whose value is taken off
 #pragma once
 
 #include <cstdint>
@@ -23,23 +31,47 @@
 
 namespace jam {
 
+enum class Reduce { mean, max, min, sd, argmax, width };
+template <>
+struct EnumNames<Reduce> {
+  static constexpr std::pair<Reduce, std::string_view> values[] = {
+      {Reduce::mean, "mean"}, {Reduce::max, "max"},       {Reduce::min, "min"},
+      {Reduce::sd, "sd"},     {Reduce::argmax, "argmax"}, {Reduce::width, "width"}};
+};
+
+/// A state, or several, on the axis of packing fraction.
+struct StateName {
+  enum class Kind { near, first, last, max, min, mean };
+  Kind kind = Kind::near;
+  std::string transition;  ///< Kind::near: a transition, or "" for ...
+  double offset = 0;       ///< ... the packing fraction itself; else what is added to the transition
+};
+
+/// Throws a usage error.
+StateName read_state(std::string_view text, const std::string& place);
+
 /// A number taken from each realisation of a system.
 struct Side {
-  std::string quantity;         ///< a transition, a column of `frames`, or "measure.column"
-  std::string at;               ///< "0.9", "max", "min", "rho_c", "rho_c+0.02", ...
-  bool per_grain = false;       ///< divided by the number of grains
-  std::vector<double> over;     ///< range of the first abscissa of "measure.column"
-  std::string reduce = "mean";  ///< how the rows in that range become one number: mean, max, sd
+  std::string quantity;
+  std::string at, minus;
+  std::vector<std::string> between;
+  bool per_grain = false;
+  std::vector<double> over;
+  Reduce reduce = Reduce::mean;
   double value = std::numeric_limits<double>::quiet_NaN();  ///< a constant, if there is no quantity
   std::vector<std::pair<std::string, Written>> where;
 
   template <class V>
   void describe(V& v) {
     v.option("quantity", quantity, {.text = "a transition (rho_c), a column of frames.csv, or measure.column"});
-    v.option("at", at, {.text = "packing fraction: a number, max, min, rho_c, or rho_c+0.02"});
+    v.option("at", at, {.text = "state: a packing fraction, first, last, rho_c, rho_j+0.02, or max, min, mean of all"});
+    v.option("between", between, {.text = "first and last state of max, min, mean"});
+    v.option("minus", minus, {.text = "state whose value is taken off"});
     v.option("per_grain", per_grain, {.text = "divide by the number of grains"});
     v.option("over", over, {.text = "first and last abscissa of measure.column"});
-    v.option("reduce", reduce, {.text = "mean, max or sd over that range"});
+    v.option("reduce", reduce,
+             {.text = "rows of a state as one number: mean, max, min, sd of their values; argmax: the abscissa of the "
+                      "largest; width: standard deviation of the abscissa, weighted with the values"});
     v.option("value", value, {.text = "a constant instead of a quantity"});
   }
 };
@@ -47,10 +79,11 @@ struct Side {
 struct Target {
   std::string name, source, known_deviation;
   std::int64_t realisations = 1;
-  double tolerance = -1;  ///< negative: an order, not a value
+  double tolerance = -1;  ///< negative: an order
   Side left, right;       ///< of a value: left is the quantity, right the published constant
 
-  bool is_value() const { return tolerance >= 0; }
+  bool is_order() const { return tolerance < 0; }
+  bool is_value() const { return !is_order() && right.quantity.empty(); }
 };
 
 /// Throws a usage error with file:line:column.

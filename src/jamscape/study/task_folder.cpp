@@ -42,6 +42,15 @@ void TaskFolder::discard_partial() const {
   fs::remove_all(frames(), ignored);
 }
 
+fs::path TaskFolder::set_aside_frames() const {
+  std::error_code ignored;
+  fs::path aside;
+  for (int k = 1; aside.empty() || fs::exists(aside, ignored); ++k) aside = path_ / fmt::format("frames.damaged-{}", k);
+  fs::rename(frames(), aside);
+  fs::remove(checkpoint(), ignored);
+  return aside;
+}
+
 std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const Plan& plan) {
   const std::vector<std::int64_t>& steps = run.steps();
   const std::vector<std::string>&stages = run.stages(), &relaxations = run.relaxations();

@@ -2,6 +2,7 @@
 //
 //   task.toml       what it is: a study file of this one system, and who simulated it
 //   frames/*.h5     frames taken so far (index in the plan, six digits), until the task ends
+//   frames.damaged-N/   frames that could not be read when the task ended; it was simulated again
 //   checkpoint.h5   the complete state to go on from, until the task ends
 //   run.h5          all frames, once it has ended: a task with run.h5 is done
 //   failed.txt      why it could not go on, until it is tried again
@@ -45,6 +46,8 @@ class TaskFolder {
 
   /// Removes frames and checkpoint of an unfinished run.
   void discard_partial() const;
+  /// Renames the folder of frames and removes the checkpoint; returns the new name.
+  std::filesystem::path set_aside_frames() const;
 
  private:
   std::filesystem::path path_;

@@ -19,8 +19,9 @@ namespace {
 
 using Curves = std::vector<std::vector<double>>;
 
-constexpr double jammed_z = 3;      // S1's criterion
-constexpr double fit_range = 0.05;  // how far from rho_c the fit of the inflection looks
+constexpr double jammed_z = 3;         // S1's criterion
+constexpr double fit_range = 0.05;     // how far from rho_c the fit of the inflection looks ...
+constexpr std::size_t fit_states = 4;  // ... at least, with so many states on either side
 constexpr std::size_t resamples = 200;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -73,12 +74,45 @@ Transition inflection(const std::vector<double>& x, const Curves& z, double rho_
   return from_estimate("rho_inflection", inflection_of_mean(pick(x, near), pick(z, near), resamples, random));
 }
 
+/// S2's jamming: inflection of the whole curve, contact number there and at the first state above.
+void add_jamming(const std::string& rho_name, const std::string& z_name, const std::vector<double>& x, const Curves& z,
+                 std::uint64_t seed, const std::string& key, std::vector<Transition>& found) {
+  const auto random = [&] { return Random(seed, key, 0, "bootstrap of the inflection"); };
+  Random first = random(), second = random();
+  const Estimate rho = inflection_of_mean(x, z, resamples, first, Slopes::different);
+  found.push_back(from_estimate(rho_name, rho));
+  found.push_back(from_estimate(z_name + "_at_rho_j",
+                                bootstrap(z.size(), resamples, second, [&](std::span<const std::size_t> which) {
+                                  const auto bend = fit_inflection(x, mean_curve(z, which), Slopes::different);
+                                  return bend ? bend->y : none;
+                                })));
+  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), rho.value) - x.begin());
+  std::vector<double> values;
+  if (std::isfinite(rho.value) && above < x.size())
+    for (const std::vector<double>& run : z) values.push_back(run[above]);
+  const Moments m = moments(values);
+  found.push_back({z_name + "_above", m.n, m.mean, m.se});
+}
+
+Transition percolation(const std::vector<double>& x, const Curves& percolates) {
+  std::vector<double> onsets;
+  for (const std::vector<double>& run : percolates) {
+    std::size_t first = run.size();
+    while (first > 0 && run[first - 1] > 0) --first;
+    if (first < run.size()) onsets.push_back(x[first]);
+  }
+  const Moments m = moments(onsets);
+  return {"rho_p", m.n, m.mean, m.se};
+}
+
 }  // namespace
 
 std::vector<Transition> find_transitions(const FrameSeries& series, std::uint64_t seed, const std::string& key) {
   const Curves* z = series.find("z");
   if (!z || series.realisations == 0 || series.target.empty()) return {};
-  const std::vector<std::size_t> kept = increasing(series.target);
+  const std::vector<std::size_t> states = series.states(), rising = increasing(pick(series.target, states));
+  std::vector<std::size_t> kept;
+  for (const std::size_t k : rising) kept.push_back(states[k]);
   const std::vector<double> x = pick(series.target, kept);
   const Curves zs = pick(*z, kept);
   std::vector<Transition> found;
@@ -90,6 +124,11 @@ std::vector<Transition> find_transitions(const FrameSeries& series, std::uint64_
   if (const Curves* fraction = series.find("packing_fraction_plain")) found.push_back(plain(zs, pick(*fraction, kept)));
   found.push_back(inflection(x, zs, rho_c, seed, key));
   found.push_back(single(x, zs));
+  if (std::none_of(series.relaxed.begin(), series.relaxed.end(), [](bool r) { return r; })) return found;
+  add_jamming("rho_j", "z", x, zs, seed, key, found);
+  if (const Curves* backbone = series.find("z_backbone"))
+    add_jamming("rho_j_backbone", "z_backbone", x, pick(*backbone, kept), seed, key, found);
+  if (const Curves* percolates = series.find("percolates")) found.push_back(percolation(x, pick(*percolates, kept)));
   return found;
 }
 
@@ -97,10 +136,11 @@ std::vector<std::vector<Transition>> write_transitions(const Study& study, const
                                                        const std::filesystem::path& results) {
   const VariedColumns varied = varied_columns(study);
   const auto systems = by_system(study, done);
+  const std::vector<const Measure*> measures = measured(study, done);
   std::vector<std::vector<Transition>> all;
   std::string text = "system" + varied.header + ",quantity,n,value,se\n";
   for (std::size_t s = 0; s < systems.size(); ++s) {
-    const FrameSeries series = read_frame_series(systems[s], chosen_measures(study));
+    const FrameSeries series = read_frame_series(systems[s], measures);
     all.push_back(
         find_transitions(series, static_cast<std::uint64_t>(study.info.seed), physics_key(study.systems[s].options)));
     for (const Transition& t : all.back())

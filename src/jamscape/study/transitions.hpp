@@ -2,11 +2,22 @@
 //
 //   system, <options that differ between systems>, quantity, n, value, se
 //
-//   rho_c          last upward crossing of the ensemble-mean z at 3, linear interpolation; error by jackknife (S1 Table
-//   I) rho_c_walls    the same with z_walls: wall contacts counted too rho_c_multi    the same with z_multi: over
-//   grains with two contacts or more rho_c_plain    rho_c on the axis of packing_fraction_plain rho_inflection
-//   inflection of the mean z: logistic plus line around rho_c; error by bootstrap rho_c_single   mean over the
-//   realisations of their own crossings
+//   rho_c           last upward crossing of the ensemble-mean z at 3, linear interpolation; error by jackknife (S1
+//                   Table I)
+//   rho_c_walls     the same with z_walls: wall contacts counted too
+//   rho_c_multi     the same with z_multi: over grains with two contacts or more
+//   rho_c_plain     rho_c on the axis of packing_fraction_plain
+//   rho_inflection  inflection of the mean z: logistic plus line around rho_c; error by bootstrap
+//   rho_c_single    mean over the realisations of their own crossings
+//
+// and where frames follow relaxations (S2 Sec. 4; only those frames count then, for all rows)
+//
+//   rho_j           inflection of the whole mean z, with different slopes below and above (stats/inflection.hpp)
+//   z_at_rho_j      the fitted z there, half way up the jump; error by bootstrap
+//   z_above         mean z at the first state above rho_j
+//   rho_j_backbone, z_backbone_at_rho_j, z_backbone_above   the same for z_backbone (rattlers removed)
+//   rho_p           packing fraction of the first state from which on a realisation percolates, mean over realisations
+//
 #pragma once
 
 #include <cstdint>

@@ -87,7 +87,7 @@ std::string verify_task(const Study& study, const Task& task, const fs::path& re
                      "jamscape run");
   const Scratch scratch(fs::temp_directory_path() / fmt::format("jamscape-verify-{}-{}", ::getpid(), task.hash));
   const TaskFolder again(scratch.path(), task.hash);
-  simulate_task(study, task, again, {progress, {}, 1e9});
+  simulate_task(study, task, again, {progress, {}, {}, 1e9});
   const RunFile before(stored.run_file()), after(again.run_file());
   const std::vector<std::size_t> at_before = stored_frames(before, task.plan).value(),
                                  at_after = stored_frames(after, task.plan).value();
