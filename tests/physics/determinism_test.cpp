@@ -43,9 +43,22 @@ SystemOptions scene(int dimension, WallModel walls, double mu, Scheme scheme) {
 }
 
 std::vector<SystemOptions> scenes_to_compare() {
-  return {scene(2, WallModel::beads, 0.5, Scheme::gear5),     scene(2, WallModel::beads, 0.0, Scheme::verlet),
-          scene(2, WallModel::periodic, 0.5, Scheme::verlet), scene(2, WallModel::flat, 0.5, Scheme::verlet),
-          scene(3, WallModel::flat, 0.5, Scheme::verlet),     scene(3, WallModel::periodic, 0.3, Scheme::gear5)};
+  std::vector<SystemOptions> all = {
+      scene(2, WallModel::beads, 0.5, Scheme::gear5),     scene(2, WallModel::beads, 0.0, Scheme::verlet),
+      scene(2, WallModel::periodic, 0.5, Scheme::verlet), scene(2, WallModel::flat, 0.5, Scheme::verlet),
+      scene(3, WallModel::flat, 0.5, Scheme::verlet),     scene(3, WallModel::periodic, 0.3, Scheme::gear5)};
+  for (const NormalLaw law : {NormalLaw::hertz, NormalLaw::tsuji})
+    for (const double mu : {0.0, 0.5}) {
+      SystemOptions s = scene(law == NormalLaw::hertz ? 3 : 2, WallModel::flat, mu, Scheme::verlet);
+      s.contact.law = law;
+      s.contact.damping = DampingRule::clipped;
+      s.contact.stiffness = 300;
+      s.contact.impact_speed = 0.1;
+      s.contact.wall_stiffness = 2;
+      s.integrator.step = 0.004;
+      all.push_back(s);
+    }
+  return all;
 }
 
 template <int D>

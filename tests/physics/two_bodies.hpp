@@ -51,8 +51,4 @@ Packing after_contact(Engine<D>& engine, std::int64_t most_steps = 200000) {
   return {};
 }
 
-inline double ledger_sum(const EnergyLedger& e) {
-  return e.kinetic + e.elastic + e.damped + e.rubbed - e.wall_work - e.gravity_work;
-}
-
 }  // namespace jam::scenes

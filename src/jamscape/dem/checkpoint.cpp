@@ -9,7 +9,7 @@
 namespace jam {
 namespace {
 
-constexpr std::int64_t layout_version = 1;
+constexpr std::int64_t layout_version = 2;
 
 template <class Array>
 std::vector<double> reals(const Array& a) {
@@ -73,7 +73,8 @@ void Engine<D>::save(Archive& out) const {
   out["engine/wall_position"] = wall_position;
   out["engine/wall_velocity"] = wall_velocity;
   out["engine/box"] = reals(box_.length);
-  out["engine/scalars"] = std::vector<double>{box_speed_, skin_, moved_, damped_, rubbed_, wall_work_, dt_};
+  out["engine/scalars"] =
+      std::vector<double>{box_speed_, skin_, moved_, damped_, rubbed_, wall_work_, gravity_work_, dt_};
   out["engine/deepest"] = reals(tally_.deepest);
   out["engine/counters"] =
       std::vector<std::int64_t>{layout_version, D, static_cast<std::int64_t>(scheme_), step_, lists_, stale_};
@@ -105,7 +106,7 @@ void Engine<D>::load(const Archive& in) {
                      "delete it; the task then starts from its beginning");
   take(in, "engine/plane_grain", plane_grain_, false);
   take(in, "engine/plane_wall", plane_wall_, false);
-  std::vector<double> plane_spring, position(walls_.size()), velocity(walls_.size()), scalars(7);
+  std::vector<double> plane_spring, position(walls_.size()), velocity(walls_.size()), scalars(8);
   take(in, "engine/plane_spring", plane_spring, false);
   plane_spring_.resize(plane_grain_.size());
   for (std::size_t q = 0; q < plane_spring_.size(); ++q)
@@ -123,7 +124,7 @@ void Engine<D>::load(const Archive& in) {
   shifts_ = image_shifts<D>(box_);
   take(in, "engine/scalars", scalars, true);
   box_speed_ = scalars[0], skin_ = scalars[1], moved_ = scalars[2];
-  damped_ = scalars[3], rubbed_ = scalars[4], wall_work_ = scalars[5];
+  damped_ = scalars[3], rubbed_ = scalars[4], wall_work_ = scalars[5], gravity_work_ = scalars[6];
   const auto& deepest = fetch<std::vector<double>>(in, "engine/deepest");
   for (std::size_t k = 0; k < block && k < deepest.size(); ++k) tally_.deepest[k] = deepest[k];
   step_ = counters[3], lists_ = counters[4], stale_ = counters[5] != 0;

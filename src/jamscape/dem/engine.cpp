@@ -38,7 +38,8 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
       scheme_(setup.scheme),
       dt_(setup.dt),
       walls_(setup.walls),
-      box_(setup.box) {
+      box_(setup.box),
+      gravity_(setup.gravity) {
   using R = Row<D>;
   std::size_t beads = 0;
   for (const auto& wall : walls_) {
@@ -99,7 +100,7 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
       }
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
   std::fill(wall_force_.begin(), wall_force_.end(), Vec<D>{});
-  damped_ = rubbed_ = wall_work_ = 0;
+  damped_ = rubbed_ = wall_work_ = gravity_work_ = 0;
 }
 
 template <int D>
@@ -179,6 +180,7 @@ void Engine<D>::compute_forces() {
     kernels_->template pairs<D>()(p, {pairs_.start[run], pairs_.start[run + 1], run % 2 == 1, law, kind_, law.mu > 0});
   }
   touch_planes();
+  if (dot(gravity_, gravity_) > 0) pull_down();
   collect_walls();
   damped_ += sum(tally_.damped) * dt_;
   rubbed_ += sum(tally_.rubbed);
@@ -225,6 +227,20 @@ void Engine<D>::touch_planes() {
       tally_.deepest[0] = larger(tally_.deepest[0], x);
     });
   }
+}
+
+template <int D>
+void Engine<D>::pull_down() {
+  double power = 0;
+  for (std::size_t k = 0; k < bodies_.grains; ++k) {
+    const double* v = bodies_.row(k) + Row<D>::velocity;
+    double* f = bodies_.forces.data() + k * Row<D>::force_stride;
+    for (int c = 0; c < D; ++c) {
+      f[c] += bodies_.mass[k] * gravity_[c];
+      power += bodies_.mass[k] * gravity_[c] * v[c];
+    }
+  }
+  gravity_work_ += power * dt_;
 }
 
 template <int D>

@@ -44,6 +44,7 @@ struct EngineSetup {
   std::vector<Axial<D>> spin;  ///< empty: at rest
   std::vector<EngineWall<D>> walls;
   Periodic<D> box;
+  Vec<D> gravity{};  ///< acceleration of the grains
   NormalLaw kind = NormalLaw::linear;
   PairLaw<> grain_law{}, wall_law{};
   Scheme scheme = Scheme::verlet;
@@ -93,6 +94,7 @@ class Engine {
  private:
   void relist();
   void touch_planes();
+  void pull_down();
   void collect_walls();
   void shrink_box();
   [[noreturn]] void fail(std::size_t body, const std::string& problem) const;
@@ -109,6 +111,7 @@ class Engine {
   std::vector<Vec<D>> wall_force_;       ///< of the last compute_forces()
   Periodic<D> box_;
   double box_speed_ = 0;
+  Vec<D> gravity_{};
 
   PairList<D> pairs_;
   Aligned<double> shifts_;
@@ -120,7 +123,7 @@ class Engine {
   double skin_ = 0, moved_ = 0;  ///< moved_: no body has gone farther since the list was made
   bool stale_ = true;
   std::int64_t lists_ = 0;  ///< made so far; grains are reordered at some of them
-  double damped_ = 0, rubbed_ = 0, wall_work_ = 0;
+  double damped_ = 0, rubbed_ = 0, wall_work_ = 0, gravity_work_ = 0;
   Tally tally_{};
 };
 

@@ -131,6 +131,7 @@ Packing Engine<D>::record() const {
   }
 
   std::vector<Vec<D>> sums(n, Vec<D>{});
+  for (std::size_t k = 0; k < n; ++k) sums[bodies_.id[k]] = bodies_.mass[k] * gravity_;
   ElasticEnergy energy;
   double scale = 0;
   Contacts& c = out.contacts;
@@ -223,6 +224,7 @@ Packing Engine<D>::record() const {
   out.energy.damped = damped_;
   out.energy.rubbed = kind_ == NormalLaw::linear ? rubbed_ : rubbed_ - energy.tangential;
   out.energy.wall_work = wall_work_;
+  out.energy.gravity_work = gravity_work_;
   return out;
 }
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -80,6 +81,13 @@ struct EnergyLedger {
                             ///< Hertz law all that tangential forces took, negative where the law makes energy
   double wall_work = 0;     ///< done on the grains by moving walls or a deforming box since the start
   double gravity_work = 0;  ///< done on the grains by gravity since the start
+
+  /// Constant but for the integrator's error.
+  double sum() const { return kinetic + elastic + damped + rubbed - wall_work - gravity_work; }
+  /// What has changed hands so far, against which the error is to be seen.
+  double turned_over() const {
+    return std::abs(damped) + std::abs(rubbed) + std::abs(wall_work) + std::abs(gravity_work);
+  }
 };
 
 struct Packing {
