@@ -9,6 +9,7 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/study/study.hpp"
 #include "jamscape/study/toml_leaves.hpp"
+#include "jamscape/study/transitions.hpp"
 
 namespace jam {
 namespace {
@@ -67,9 +68,14 @@ Target read_target(const toml::table& table, const std::string& file) {
   }
   const std::string place = place_of(file, table.source().begin);
   if (t.name.empty()) throw usage_error("a target has no name", place);
-  if (t.left.quantity.empty()) throw usage_error(fmt::format("the target '{}' has no quantity", t.name), place);
-  if (t.right.quantity.empty() && std::isnan(t.right.value))
-    throw usage_error(fmt::format("the target '{}' has nothing to compare with", t.name), place);
+  const auto nothing = [](const Side& side) { return side.quantity.empty() && std::isnan(side.value); };
+  if (nothing(t.left) || (t.left.quantity.empty() && t.right.quantity.empty()))
+    throw usage_error(fmt::format("the target '{}' has no quantity", t.name), place);
+  if (nothing(t.right)) throw usage_error(fmt::format("the target '{}' has nothing to compare with", t.name), place);
+  for (const Side* side : {&t.left, &t.right})
+    if (side->quantity.find('.') != std::string::npos && side->at.empty())
+      throw usage_error(fmt::format("the target '{}' does not say at which state '{}' is read", t.name, side->quantity),
+                        place, "at = \"last\"");
   return t;
 }
 
@@ -87,6 +93,10 @@ StateName read_state(std::string_view text, const std::string& place) {
     const std::size_t end = std::min(rest.find_first_of("+-"), rest.size());
     state.transition = rest.substr(0, end);
     rest.remove_prefix(end);
+    const auto& known = packing_fraction_transitions;
+    if (std::find(known.begin(), known.end(), state.transition) == known.end())
+      throw usage_error(fmt::format("'{}' is no transition", state.transition), place,
+                        fmt::format("one of {}", fmt::join(known, ", ")));
     if (rest.empty()) return state;
     if (rest.front() == '+') rest.remove_prefix(1);
   }

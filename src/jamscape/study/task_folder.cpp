@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "jamscape/base/error.hpp"
@@ -56,13 +57,19 @@ std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const 
   const std::vector<std::string>&stages = run.stages(), &relaxations = run.relaxations();
   const std::vector<double>& fractions = run.packing_fractions();
   std::vector<std::size_t> indices;
+  std::vector<bool> taken(steps.size(), false);  // of the frames whose steps were not known before
   for (const PlannedFrame& wanted : plan.frames) {
+    const auto better = [&](std::size_t a, std::size_t b) {
+      if (wanted.step >= 0) return stages[a] == wanted.stage && stages[b] != wanted.stage;
+      return std::abs(fractions[a] - wanted.packing_fraction) < std::abs(fractions[b] - wanted.packing_fraction);
+    };
     std::optional<std::size_t> found;
     for (std::size_t k = 0; k < steps.size(); ++k)
-      if (wanted.matches(steps[k], stages[k], fractions[k], relaxations[k]) &&
-          (!found || (stages[k] == wanted.stage && stages[*found] != wanted.stage)))
+      if (!taken[k] && wanted.matches(steps[k], stages[k], fractions[k], relaxations[k]) &&
+          (!found || better(k, *found)))
         found = k;
     if (!found) return std::nullopt;
+    taken[*found] = wanted.step < 0;
     indices.push_back(*found);
   }
   return indices;

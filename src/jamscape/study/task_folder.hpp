@@ -54,7 +54,7 @@ class TaskFolder {
 };
 
 /// For each planned frame its index in the run file; nothing when one is missing there. Taking a frame changes no bit
-/// of the simulation, so frames are told apart by their step.
+/// of the simulation, so frames are told apart by their step, or by their packing fraction where that is not planned.
 std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const Plan& plan);
 
 /// Why run.h5 cannot be read, or "" when it can or is not there.

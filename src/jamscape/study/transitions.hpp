@@ -20,15 +20,22 @@
 //
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "jamscape/study/done_tasks.hpp"
 #include "jamscape/study/study.hpp"
 
 namespace jam {
+
+/// Those that are packing fractions.
+inline constexpr std::array<std::string_view, 9> packing_fraction_transitions = {
+    "rho_c",        "rho_c_walls", "rho_c_multi",    "rho_c_plain", "rho_inflection",
+    "rho_c_single", "rho_j",       "rho_j_backbone", "rho_p"};
 
 struct Transition {
   std::string quantity;
