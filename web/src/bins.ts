@@ -6,15 +6,17 @@ export interface Binned {
   se: (number | null)[];
 }
 
-/** Edges of bins from their centres: geometric means where the centres are spaced by a factor. */
+/** Edges of bins from their centres, which are spaced evenly or by a factor. */
 function edges(x: number[]): number[] {
+  const step = x.length > 1 ? x[1] - x[0] : 1;
+  if (x.length > 2 && Math.abs(x[2] - x[1] - step) < 1e-3 * step) return [x[0] - step / 2, ...x.map((v) => v + step / 2)];
   const ratio = x.length > 1 ? Math.sqrt(x[1] / x[0]) : 1;
   return [x[0] / ratio, ...x.map((v) => v * ratio)];
 }
 
 /**
  * Joins neighbouring bins of a density until each is `width` wide and holds `least` counts; their standard errors are
- * taken as independent. What is left at the end joins the last bin. For logarithmic bins only.
+ * taken as independent. What is left at the end joins the last bin.
  */
 export function joinBins(bins: Binned, counts: (number | null)[], width: number, least: number): Binned {
   if (bins.x.length < 2) return bins;

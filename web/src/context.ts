@@ -2,14 +2,15 @@
 import type { Chart, ChartOptions, Line, Mark } from "./chart";
 import { chart } from "./chart";
 import type { Data, Estimate } from "./data";
-import { jammingOf } from "./data";
+import { jammingOf, jammingSymbol } from "./data";
+import { h } from "./dom";
 import type { State } from "./state";
 import { systemLabel } from "./symbols";
 import { systemColour, systemDash } from "./theme";
 
 export interface Section {
   id: string;
-  title: string;
+  title: string | ((context: Context) => string);
   /** null: the study has nothing for this section, which is then left out. */
   build(context: Context): HTMLElement[] | null;
 }
@@ -18,6 +19,8 @@ export const RHO = "packing fraction <i>ρ</i>";
 
 export class Context {
   readonly labels: string[];
+  /** the chart that stands in a place now */
+  private readonly refreshed = new Map<HTMLElement, Chart>();
 
   constructor(
     readonly data: Data,
@@ -72,11 +75,43 @@ export class Context {
     return marks;
   }
 
+  /** True where every system is known to jam, at packing fractions so different that curves lie far apart. */
+  get farApart(): boolean {
+    const points = this.labels.map((_, system) => jammingOf(this.data, system));
+    const known = points.filter((p) => p !== null);
+    return known.length === points.length && Math.max(...known) - Math.min(...known) > 0.1;
+  }
+
+  /** Lines over packing fraction, drawn anew when the reader asks for the distance from jamming instead. */
+  curves(lines: Line[], options: Omit<ChartOptions, "shown" | "lines" | "xLabel" | "xName">): HTMLElement {
+    const place = h("div");
+    this.state.abscissa.watch((abscissa) => {
+      const shift = (system?: number) =>
+        abscissa === "rho" || system === undefined ? 0 : (jammingOf(this.data, system) ?? 0);
+      const symbol = abscissa === "rho" ? "<i>ρ</i>" : `<i>ρ</i> − ${jammingSymbol(this.data)}`;
+      const made = chart({
+        ...options,
+        shown: (system) => this.state.shown.get()[system],
+        xLabel: abscissa === "rho" ? RHO : symbol,
+        xName: symbol,
+        lines: lines.map((line) => ({ ...line, x: line.x.map((x) => round(x - shift(line.system))) })),
+        marks: options.marks?.map((mark) => ({ ...mark, x: mark.x - shift(mark.system) })),
+      });
+      this.refreshed.set(place, made);
+      place.replaceChildren(made.element);
+    });
+    this.state.shown.watch(() => this.refreshed.get(place)?.refresh());
+    return place;
+  }
+
   /** A quantity over packing fraction, or null when no system has it. */
   overRho(quantity: string, title: string, more: Partial<ChartOptions> = {}, scale?: (system: number) => number) {
     const lines = this.lines(quantity, scale);
-    if (!lines.length) return null;
-    return this.chart({ title, xLabel: RHO, xName: "<i>ρ</i>", lines, marks: this.marks(), sync: "rho", ...more })
-      .element;
+    return lines.length ? this.curves(lines, { title, marks: this.marks(), sync: "rho", ...more }) : null;
   }
+}
+
+/** Differences of packing fractions, so that equal ones of several systems share a place. */
+function round(x: number): number {
+  return Math.round(x * 1e6) / 1e6;
 }

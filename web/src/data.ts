@@ -8,6 +8,8 @@ export interface System {
   options: Record<string, number | string>;
   realisations: number;
   planned: number | null;
+  /** d, m and tau_c in m, kg and s; null in a study of scaled units */
+  scales?: { length: number; mass: number; time: number } | null;
   /** how the relaxations before its frames ended, over all realisations; null where nothing relaxes */
   relaxations?: { fluctuation: number; energy: number; budget: number } | null;
 }
@@ -73,7 +75,7 @@ export interface Score {
     verdict: Verdict;
     note: string;
   }[];
-  /** published rho_c */
+  /** published points of jamming */
   published: { system: number; value: number }[];
 }
 

@@ -27,7 +27,7 @@ export interface HeatMap {
   pointed: (value: number | null) => void;
 }
 
-const MARGIN = { left: 34, right: 6, top: 14, bottom: 24 };
+const MARGIN = { left: 34, right: 14, top: 14, bottom: 24 };
 const HEIGHT = 250;
 
 /** Borders of cells half way between their abscissae. */

@@ -1,9 +1,10 @@
 // The bar that stays in view: one chip per system, which shows or hides it in all figures, and ready-made choices that
 // vary one option while all others stay the same.
 import type { Context } from "./context";
-import type { Study } from "./data";
+import { jammingSymbol, type Study } from "./data";
 import { h, markup } from "./dom";
 import { optionSymbol, optionValue } from "./symbols";
+import type { Abscissa } from "./state";
 import { systemColour } from "./theme";
 
 interface Group {
@@ -63,5 +64,22 @@ export function legend(context: Context): HTMLElement {
     });
     bar.append(h("span", "choices", ...buttons));
   }
+  if (context.farApart) bar.append(abscissaChoice(context));
   return bar;
+}
+
+/** Curves of systems that jam far apart can be laid over each other. */
+function abscissaChoice(context: Context): HTMLElement {
+  const { abscissa } = context.state;
+  const ways: [Abscissa, string][] = [
+    ["rho", "over <i>ρ</i>"],
+    ["distance", `over <i>ρ</i> − ${jammingSymbol(context.data)}`],
+  ];
+  const buttons = ways.map(([way, name]) => {
+    const button = h("button", "choice", markup(name));
+    button.addEventListener("click", () => abscissa.set(way));
+    abscissa.watch((now) => button.setAttribute("aria-pressed", String(now === way)));
+    return button;
+  });
+  return h("span", "choices", ...buttons);
 }

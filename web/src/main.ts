@@ -40,9 +40,10 @@ function build(): void {
   for (const section of SECTIONS) {
     const content = section.build(context);
     if (!content) continue;
-    const element = h("section", "", h("h2", "", section.title), ...content);
+    const title = typeof section.title === "string" ? section.title : section.title(context);
+    const element = h("section", "", h("h2", "", title), ...content);
     element.id = section.id;
-    const link = h("a", "", section.title);
+    const link = h("a", "", title);
     link.href = `#${section.id}`;
     links.push(link);
     body.push(element);
@@ -55,7 +56,8 @@ function footer(program: string): HTMLElement {
   const text = markup(
     "Bands are ± one standard error over realisations. Colours follow Okabe and Ito and stay apart for all kinds of colour " +
       "vision. The page holds all it shows and loads nothing.<br>S1: M. Kramár, A. Goulet, L. Kondic, K. Mischaikow, " +
-      "<i>Persistence of force networks in compressed granular media</i>, Phys. Rev. E 87, 042207 (2013).",
+      "<i>Persistence of force networks in compressed granular media</i>, Phys. Rev. E 87, 042207 (2013).<br>S2: L. Kovalcinova, A. Taranto, L. Kondic, <i>Interaction networks in " +
+      "persistence: two- and three-dimensional compressed granular systems</i>, arXiv:1901.08675.",
     "p",
   );
   return h("footer", "", text, h("p", "", `Written by ${program} from the study's result files.`));

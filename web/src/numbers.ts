@@ -31,3 +31,15 @@ export function compact(value: number, se: number | null): string {
   const [shown, error] = withError(value, se).split(" ± ");
   return error ? `${shown}(${Number(error.replace(/[^\d]/g, ""))})` : shown;
 }
+
+const PREFIXES: [number, string][] = [
+  [1, ""],
+  [1e-3, "m"],
+  [1e-6, "µ"],
+];
+
+/** "17.35 mm": a quantity with a prefix of its unit. */
+export function withUnit(value: number, unit: string): string {
+  const [factor, prefix] = PREFIXES.find(([factor]) => value >= factor) ?? PREFIXES[PREFIXES.length - 1];
+  return `${plain(value / factor)} ${prefix}${unit}`;
+}

@@ -15,7 +15,8 @@ export function forceColour(force: number): string {
   return heat(force / 4);
 }
 
-export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size: number): void {
+/** Forces below `least`, in mean forces, are left out. */
+export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size: number, least = 0): void {
   const [x0, y0] = frame.lower;
   const [x1, y1] = frame.upper;
   const scale = (size * pixelRatio) / Math.max(x1 - x0, y1 - y0);
@@ -60,7 +61,7 @@ export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size
   for (let c = 0; c < frame.contacts; ++c) {
     const value = (force[c] / 65535) * frame.force_max;
     const k = Math.floor((Math.min(value, STRONGEST) / STRONGEST) * (COLOURS - 1) + 0.5);
-    if (value > 0) classes[k].push(c);
+    if (value > 0 && value >= least) classes[k].push(c);
   }
   ctx.lineCap = "round";
   classes.forEach((members, k) => {

@@ -72,21 +72,29 @@ function densities(points: Points, top: number): Float64Array {
   return out.map((v) => Math.log1p(v) / Math.log1p(most));
 }
 
-export function drawDiagram(canvas: HTMLCanvasElement, frame: DiagramFrame, dimension: number, size: number): void {
+/** Upper end of the axes; points beyond it lie on its border. */
+export const TOP = 5.15;
+
+export function drawDiagram(
+  canvas: HTMLCanvasElement,
+  frame: DiagramFrame,
+  dimension: number,
+  size: number,
+): void {
   canvas.width = canvas.height = Math.round(size * pixelRatio);
   const ctx = canvas.getContext("2d")!;
+  const top = TOP;
   // Drawn in units that grow with the picture, so that an enlarged one reads as well from afar.
   const unit = Math.min(Math.max(size / 280, 1), 2);
   ctx.scale(pixelRatio * unit, pixelRatio * unit);
   size /= unit;
   const points = unpack(frame, dimension);
-  const top = 5.15;
   const margin = { left: 30, right: 8, top: 8, bottom: 46 };
   const strip = 18;
   const width = size - margin.left - margin.right;
   const height = size - margin.top - margin.bottom;
-  const x = (v: number) => margin.left + (v / top) * width;
-  const y = (v: number) => margin.top + height - (v / top) * height;
+  const x = (v: number) => margin.left + (Math.min(v, top) / top) * width;
+  const y = (v: number) => margin.top + height - (Math.min(v, top) / top) * height;
   const stripTop = margin.top + height + 3;
 
   ctx.fillStyle = "#fff";
@@ -159,15 +167,15 @@ export function drawDiagram(canvas: HTMLCanvasElement, frame: DiagramFrame, dime
   ctx.font = `11px ${FONT}`;
   ctx.textAlign = "center";
   ctx.textBaseline = "top";
-  for (let v = 0; v <= 5; ++v) ctx.fillText(String(v), x(v), stripTop + strip + 4);
+  for (let v = 0; v < top; ++v) ctx.fillText(String(v), x(v), stripTop + strip + 4);
   ctx.textAlign = "right";
   ctx.textBaseline = "middle";
-  for (let v = 1; v <= 5; ++v) ctx.fillText(String(v), margin.left - 5, y(v));
+  for (let v = 1; v < top; ++v) ctx.fillText(String(v), margin.left - 5, y(v));
   ctx.fillText("∞", margin.left - 5, stripTop + strip / 2);
   ctx.textAlign = "center";
-  ctx.fillText("birth", x(2.5), stripTop + strip + 20);
+  ctx.fillText("birth", x(top / 2), stripTop + strip + 20);
   ctx.save();
-  ctx.translate(8, y(2.5));
+  ctx.translate(8, y(top / 2));
   ctx.rotate(-Math.PI / 2);
   ctx.fillText("death", 0, 0);
   ctx.restore();

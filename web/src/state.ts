@@ -20,12 +20,19 @@ export class Value<T> {
   }
 }
 
-/** "own": each system at the first picture where it is jammed; a number: all at this packing fraction. */
-export type FrameChoice = "own" | number;
+/**
+ * "own": each system at the first picture where it is jammed; "last": at its densest; a number: all at this packing
+ * fraction; "off:0.02": each this far above the packing fraction at which it jams.
+ */
+export type FrameChoice = "own" | "last" | number | `off:${number}`;
+
+/** Abscissa of curves: the packing fraction, or how far above jamming it is. */
+export type Abscissa = "rho" | "distance";
 
 export class State {
   readonly shown: Value<boolean[]>;
   readonly frame = new Value<FrameChoice>("own");
+  readonly abscissa = new Value<Abscissa>("rho");
   /** from where packings of spheres are seen, and what is drawn of them */
   readonly view = new Value<View>(startView());
   readonly look = new Value<Look>(START_LOOK);

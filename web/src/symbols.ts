@@ -14,10 +14,16 @@ const OPTIONS: Record<string, string> = {
   "contact.stiffness": "<i>k</i><sub>n</sub>",
   "contact.tangential_stiffness": "<i>k</i><sub>t</sub>/<i>k</i><sub>n</sub>",
   "domain.dimension": "dimension",
+  "domain.walls": "walls",
+  "contact.law": "force law",
+  "start.packing_fraction": "<i>ρ</i> at start",
+  "grains.inertia_factor": "<i>I</i>/<i>mR</i><sup>2</sup>",
   "integrator.step": "Δ<i>t</i>",
 };
 
 export function optionSymbol(key: string): string {
+  if (/^stage\..*\.to$/.test(key)) return "<i>ρ</i> at end";
+  if (/^stage\..*\.speed$/.test(key)) return "wall speed";
   return OPTIONS[key] ?? escape(key.split(".").pop() ?? key);
 }
 

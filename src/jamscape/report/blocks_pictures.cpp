@@ -70,11 +70,17 @@ std::map<std::int64_t, std::map<int, Points>> diagrams_by_frame(const Table& tab
   return out;
 }
 
-Json diagram_json(const std::map<int, Points>& dimensions) {
-  double largest = 1;
+/// Components and loops always, voids where any frame of the system has some.
+int last_dimension(const std::map<std::int64_t, std::map<int, Points>>& frames) {
   int last = 1;
+  for (const auto& [frame, dimensions] : frames)
+    if (!dimensions.empty()) last = std::max(last, dimensions.rbegin()->first);
+  return last;
+}
+
+Json diagram_json(const std::map<int, Points>& dimensions, int last) {
+  double largest = 1;
   for (const auto& [dimension, points] : dimensions) {
-    last = std::max(last, dimension);
     for (const double value : points.birth_death) largest = std::max(largest, value);
   }
   Json list = Json::array();
@@ -126,6 +132,7 @@ Json diagrams_block(const std::vector<PictureSource>& sources) {
     const std::filesystem::path file = source.folder.tables() / "diagram.csv";
     if (!std::filesystem::exists(file)) return frames;
     const auto by_frame = diagrams_by_frame(read_csv(file));
+    const int last = last_dimension(by_frame);
     std::map<std::size_t, PictureFrame> shown;  // by index in run.h5
     const auto take = [&](const PictureFrame& frame) {
       if (!by_frame.contains(static_cast<std::int64_t>(frame.stored))) return false;
@@ -142,7 +149,8 @@ Json diagrams_block(const std::vector<PictureSource>& sources) {
     for (const auto& [stored, frame] : shown) ordered.push_back(frame);
     std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.rho < b.rho; });
     for (const PictureFrame& frame : ordered)
-      frames.push_back(labelled(source, frame, diagram_json(by_frame.at(static_cast<std::int64_t>(frame.stored)))));
+      frames.push_back(
+          labelled(source, frame, diagram_json(by_frame.at(static_cast<std::int64_t>(frame.stored)), last)));
     return frames;
   });
 }

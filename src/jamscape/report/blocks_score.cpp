@@ -38,10 +38,11 @@ Json score_block(const Results& results) {
   Json rows = Json::array();
   for (const Score& score : score_targets(targets, study, done)) rows.push_back(row_json(score));
 
-  // The values of Table I, so that they can stand beside ours whatever the verdict.
+  // Published points of jamming, so that they can stand beside ours whatever the verdict.
   std::vector<Target> values;
-  std::copy_if(targets.begin(), targets.end(), std::back_inserter(values),
-               [](const Target& t) { return t.is_value() && t.left.quantity == "rho_c"; });
+  std::copy_if(targets.begin(), targets.end(), std::back_inserter(values), [](const Target& t) {
+    return t.is_value() && (t.left.quantity == "rho_c" || t.left.quantity == "rho_j");
+  });
   Json published = Json::array();
   for (const Target& value : values)
     for (const Score& score : score_targets({value}, study, done))

@@ -31,6 +31,12 @@ Json options_json(SystemOptions system) {
   return out;
 }
 
+/// d, m and tau_c in m, kg and s; null in a study of scaled units.
+Json scales_json(const Scales& scales) {
+  if (scales.length == 0) return nullptr;
+  return {{"length", rounded(scales.length)}, {"mass", rounded(scales.mass)}, {"time", rounded(scales.time)}};
+}
+
 /// How the relaxations of a system ended, over all frames and realisations; null where it relaxes nothing.
 Json relaxations_json(const std::map<std::int64_t, RelaxationCount>& frames) {
   RelaxationCount sum;
@@ -68,6 +74,7 @@ Json study_block(const Results& results) {
                        {"options", std::move(options)},
                        {"realisations", done[k]},
                        {"planned", study.info.realisations},
+                       {"scales", scales_json(study.systems[k].scales)},
                        {"relaxations", relaxations_json(results.relaxations[k])}});
   }
   return {{"title", study.info.title.empty() ? study.info.name : study.info.title},

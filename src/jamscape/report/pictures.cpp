@@ -31,6 +31,16 @@ std::vector<PictureFrame> all_frames(const Results& results, const Task& task, c
   return frames;
 }
 
+/// The packing fractions asked for that a system comes to, a step of the usual size aside.
+std::vector<double> reached(std::vector<double> wanted, const std::map<std::int64_t, double>& rho) {
+  constexpr double step = 0.02;
+  if (rho.empty()) return wanted;
+  const auto [least, most] =
+      std::minmax_element(rho.begin(), rho.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::erase_if(wanted, [&](double value) { return value < least->second - step || value > most->second + step; });
+  return wanted;
+}
+
 std::vector<PictureFrame> chosen_frames(const std::vector<PictureFrame>& all, const std::vector<double>& wanted,
                                         std::size_t most, std::optional<JammingPoint> jamming) {
   const double rho_c = jamming ? jamming->value : std::nan("");
@@ -40,7 +50,8 @@ std::vector<PictureFrame> chosen_frames(const std::vector<PictureFrame>& all, co
     if (all[k].rho >= rho_c) above[static_cast<std::int64_t>(k)] = all[k].rho;
   }
   std::map<std::int64_t, bool> chosen;  // and whether it is the system's own
-  for (const std::int64_t k : wanted.empty() ? even_frames(rho, most) : nearest_frames(rho, wanted)) chosen[k] = false;
+  const std::vector<double> asked = reached(wanted, rho);
+  for (const std::int64_t k : asked.empty() ? even_frames(rho, most) : nearest_frames(rho, asked)) chosen[k] = false;
   for (const std::int64_t k : nearest_frames(above, {rho_c})) chosen.insert({k, true});
   std::vector<PictureFrame> frames;
   for (const auto& [k, own] : chosen) {

@@ -49,6 +49,20 @@ TEST_F(NetworkBlocks, FramesBetweenRelaxationsAreLeftOut) {
   EXPECT_EQ(choose_pictures(results)[0].all.size(), 2u);
 }
 
+TEST_F(NetworkBlocks, PicturesOfPackingFractionsASystemNeverComesToAreNotTaken) {
+  Results results = open_results(folder());
+  results.study.report.pictures = {0.55, 0.87};
+  const auto sources = choose_pictures(results);
+  const auto rhos = [&](std::size_t system) {
+    std::vector<double> out;
+    for (const PictureFrame& frame : sources[system].frames)
+      if (!frame.own) out.push_back(frame.rho);
+    return out;
+  };
+  EXPECT_EQ(rhos(0), std::vector<double>{0.87});
+  EXPECT_EQ(rhos(2), std::vector<double>{0.55});
+}
+
 TEST_F(NetworkBlocks, ASurfaceHasARowPerPackingFraction) {
   const Json surfaces = surfaces_block(open_results(folder()));
   const Json& spheres = surfaces["systems"][2];

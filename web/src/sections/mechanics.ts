@@ -1,6 +1,7 @@
 // Stress, balance and energy: is the packing what it should be?
 import type { ChartOptions } from "../chart";
 import type { Section } from "../context";
+import { grainsOf } from "../data";
 import { figure, h } from "../dom";
 
 const PANELS: { column: string; title: string; more?: Partial<ChartOptions>; perGrain?: boolean }[] = [
@@ -16,7 +17,7 @@ export const mechanics: Section = {
   id: "mechanics",
   title: "Stress and energy",
   build(context) {
-    const perGrain = (system: number) => 1 / Number(context.data.study.systems[system].options["grains.count"] ?? 1);
+    const perGrain = (system: number) => 1 / grainsOf(context.data.study, system);
     const panels = PANELS.map((p) => context.overRho(p.column, p.title, p.more, p.perGrain ? perGrain : undefined)).filter(
       (p) => p !== null,
     );

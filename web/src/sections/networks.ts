@@ -5,30 +5,61 @@ import { jammingOf, jammingSymbol, type NetworkFrame } from "../data";
 import { figure, h, markup } from "../dom";
 import { plain } from "../numbers";
 import { drawForceKey, drawPacking, STRONGEST } from "../packing";
-import { drawDiagram } from "../persistence";
+import { drawDiagram, TOP } from "../persistence";
 import { drawSpheres, makeTurnable } from "../spheres/picture";
 import { sphereTools } from "../spheres/tools";
 import type { FrameChoice } from "../state";
 import { systemColour } from "../theme";
 
-/** The frame of a system that a choice means: the first at or above its jamming, or the nearest to a packing fraction. */
+/** The frame of a system that a choice means, or null when it has none. */
 export function pick<F extends { rho: number }>(frames: F[], choice: FrameChoice, jamming: number | null): F | null {
   if (!frames.length) return null;
-  if (choice === "own") return frames.find((f) => jamming !== null && f.rho >= jamming - 1e-9) ?? frames[frames.length - 1];
-  return frames.reduce((best, f) => (Math.abs(f.rho - choice) < Math.abs(best.rho - choice) ? f : best));
+  const last = frames[frames.length - 1];
+  if (choice === "last") return last;
+  if (choice === "own") return frames.find((f) => jamming !== null && f.rho >= jamming - 1e-9) ?? last;
+  const off = typeof choice === "string" ? Number(choice.slice(4)) : null;
+  if (off !== null && jamming === null) return last;
+  const rho = off === null ? (choice as number) : jamming! + off;
+  return frames.reduce((best, f) => (Math.abs(f.rho - rho) < Math.abs(best.rho - rho) ? f : best));
+}
+
+type Framed = { rho: number; own?: boolean }[][];
+
+/** More packing fractions than these are no choice any more. */
+const MOST = 14;
+const OFFS = [-0.1, -0.05, -0.02, 0, 0.02, 0.05, 0.1];
+
+/** What the reader may choose, in the order of compression: packing fractions that the systems share, or, where they
+ * share none, distances from jamming. */
+function choicesOf(context: Context, systems: Framed): [FrameChoice, string][] {
+  const symbol = jammingSymbol(context.data);
+  const own: [FrameChoice, string] = ["own", `each just above its ${symbol}`];
+  const rhos = rhosOf(systems);
+  const jamming = systems.map((_, system) => jammingOf(context.data, system));
+  const known = jamming.some((p) => p !== null);
+  if ((rhos.length <= MOST && !context.farApart) || !known) {
+    const all = rhos.map((rho): [FrameChoice, string] => [rho, plain(rho, 3)]);
+    return known ? [own, ...all] : all;
+  }
+  const near = (off: number) =>
+    systems.some((frames, k) => frames.some((f) => jamming[k] !== null && Math.abs(f.rho - jamming[k] - off) < 0.011));
+  const offs = OFFS.filter((off) => off === 0 || near(off)).map((off): [FrameChoice, string] =>
+    off === 0 ? own : [`off:${off}`, `${symbol} ${off < 0 ? "−" : "+"} ${Math.abs(off)}`],
+  );
+  return [...offs, ["last", "each at its densest"]];
 }
 
 /** Buttons for the packing fraction, and one that plays through all. */
-function chooser(context: Context, rhos: number[]): HTMLElement {
+function chooser(context: Context, systems: Framed): HTMLElement {
   const { frame } = context.state;
-  const choices: FrameChoice[] = context.data.transitions ? ["own", ...rhos] : rhos;
-  const buttons = choices.map((choice) => {
-    const text = choice === "own" ? `each just above its ${jammingSymbol(context.data)}` : plain(choice, 3);
+  const choices = choicesOf(context, systems);
+  const buttons = choices.map(([choice, text]) => {
     const button = h("button", "choice", markup(text));
     button.addEventListener("click", () => frame.set(choice));
     frame.watch((now) => button.setAttribute("aria-pressed", String(now === choice)));
     return button;
   });
+  const steps = choices.filter(([choice], k) => choice !== "own" || k > 0).map(([choice]) => choice);
   const play = h("button", "choice play", "▶ compress");
   let timer = 0;
   const stop = () => {
@@ -39,18 +70,18 @@ function chooser(context: Context, rhos: number[]): HTMLElement {
   play.addEventListener("click", () => {
     if (timer) return stop();
     let k = 0;
-    frame.set(rhos[0]);
+    frame.set(steps[0]);
     play.textContent = "■ stop";
     timer = window.setInterval(() => {
       k += 1;
-      if (k < rhos.length) frame.set(rhos[k]);
+      if (k < steps.length) frame.set(steps[k]);
       else stop();
     }, 700);
   });
-  return h("div", "chooser", markup("<i>ρ</i> =", "span", "chooser-label"), ...buttons, ...(rhos.length > 2 ? [play] : []));
+  return h("div", "chooser", markup("<i>ρ</i> =", "span", "chooser-label"), ...buttons, ...(steps.length > 2 ? [play] : []));
 }
 
-function rhosOf(systems: { rho: number; own?: boolean }[][]): number[] {
+function rhosOf(systems: Framed): number[] {
   const common = systems.flat().filter((f) => !f.own);
   return [...new Set(common.map((f) => f.rho))].sort((a, b) => a - b);
 }
@@ -77,7 +108,8 @@ function picture(
   });
   const { frame, view, look } = context.state;
   frame.watch(redraw);
-  if (spheres) for (const value of [view, look]) value.watch(redraw);
+  look.watch(redraw);
+  if (spheres) view.watch(redraw);
   return canvas;
 }
 
@@ -122,7 +154,7 @@ function enlarged(
 function drawNetwork(context: Context, canvas: HTMLCanvasElement, frame: NetworkFrame, size: number): void {
   const { view, look } = context.state;
   if (isSpheres(frame)) drawSpheres(canvas, frame, size, view.get(), look.get());
-  else drawPacking(canvas, frame, size);
+  else drawPacking(canvas, frame, size, look.get().least);
 }
 
 function hideWithLegend(context: Context, system: number, element: HTMLElement): void {
@@ -139,9 +171,8 @@ export const networks: Section = {
   title: "Force networks",
   build(context) {
     const { networks } = context.data;
-    const rhos = rhosOf(networks?.systems ?? []);
-    if (!networks || !rhos.length) return null;
-    if (!context.data.transitions) context.state.frame.set(rhos[rhos.length - 1]);
+    if (!networks?.systems.some((frames) => frames.length)) return null;
+    if (!context.data.transitions) context.state.frame.set(choicesOf(context, networks.systems).pop()![0]);
     const { state } = context;
     const cells = networks.systems.flatMap((frames, system) => {
       if (!frames.length) return [];
@@ -171,7 +202,7 @@ export const networks: Section = {
     const spheres = all.some(isSpheres);
     const tools = spheres ? [sphereTools(context)] : [];
     return [
-      chooser(context, rhos),
+      chooser(context, networks.systems),
       figure("", [...tools, h("div", "pictures networks", ...cells), scale], {
         text:
           `${total ? "Contact forces" : "Normal forces"} between the grains of one packing per system: the width of a line grows with ` +
@@ -192,9 +223,10 @@ export const diagrams: Section = {
   title: "Persistence diagrams",
   build(context) {
     const { diagrams } = context.data;
-    const rhos = rhosOf(diagrams?.systems ?? []);
-    if (!diagrams || !rhos.length) return null;
-    if (!context.data.transitions && !context.data.networks) context.state.frame.set(rhos[rhos.length - 1]);
+    if (!diagrams?.systems.some((frames) => frames.length)) return null;
+    if (!context.data.transitions && !context.data.networks)
+      context.state.frame.set(choicesOf(context, diagrams.systems).pop()![0]);
+    const { clamp } = context.data.study.measure;
     const cells = diagrams.systems.flatMap((frames, system) => {
       if (!frames.length) return [];
       const chosen = () => pick(frames, context.state.frame.get(), jammingOf(context.data, system))!;
@@ -209,22 +241,22 @@ export const diagrams: Section = {
           canvas.addEventListener("click", () => enlarged(context, titleOf(context, system, chosen().rho, name), draw));
           return h("div", "diagram", markup(name, "div", "diagram-name"), canvas);
         });
-      const element = h("div", "cell", title, h("div", "pair", ...plots));
+      const element = h("div", "cell", title, h("div", plots.length > 2 ? "pair three" : "pair", ...plots));
       hideWithLegend(context, system, element);
       return [element];
     });
     return [
-      chooser(context, rhos),
+      chooser(context, diagrams.systems),
       figure("", [h("div", "pictures diagrams", ...cells)], {
         text:
           "Lowering a force threshold, a component or a loop of the network is born at one force and dies at a lower one: a " +
-          "point of the diagram (in units of <i>F̄</i>, forces above 5 <i>F̄</i> set to 5 <i>F̄</i>). Far below the diagonal " +
+          `point of the diagram (in units of <i>F̄</i>${clamp ? `, forces above ${plain(clamp)} <i>F̄</i> set to ${plain(clamp)} <i>F̄</i>` : `, births above ${Math.floor(TOP)} <i>F̄</i> drawn at the border`}). Far below the diagonal ` +
           "are features that persist; the strip marked ∞ holds those that never die; darker points lie where many others do. " +
           "Lines are the borders of the bins rough, weak, medium and strong; the numbers count the points in each.",
         formula:
           "rough: <i>b</i> − <i>d</i> &lt; 0.1; else strong: <i>b</i> ≥ 2.5, medium: 1 ≤ <i>b</i> &lt; 2.5, weak: 0.1 ≤ <i>b</i> &lt; 1 " +
           "(a class that never dies has <i>d</i> = 0).",
-        source: "S1 Sec. II.B–C, Figs. 2 and 4.",
+        source: `S1 Sec. II.B–C, Figs. 2 and 4${context.data.surfaces ? "; S2 Fig. 10" : ""}.`,
       }),
     ];
   },

@@ -1,8 +1,8 @@
 // What was simulated, and where each system jams.
 import type { Context, Section } from "../context";
-import type { Score, Verdict } from "../data";
+import { jammingSymbol, type Score, type System, type Verdict } from "../data";
 import { escape, h, table } from "../dom";
-import { compact, plain, withError } from "../numbers";
+import { compact, plain, withError, withUnit } from "../numbers";
 import { optionSymbol, optionValue } from "../symbols";
 import { systemColour } from "../theme";
 
@@ -24,32 +24,99 @@ function systemsTable(context: Context): HTMLElement {
     study.systems.some((s) => key in s.options || key in s.swept),
   );
   const hasSpeed = study.systems.some((s) => "speed" in s.options);
-  const head = ["system", ...keys.map(optionSymbol), ...(hasSpeed ? ["wall speed <small>d/τ<sub>c</sub></small>"] : []), "realisations"];
+  const relaxes = study.systems.some((s) => s.relaxations);
+  const head = [
+    "system",
+    ...keys.map(optionSymbol),
+    ...(hasSpeed ? ["wall speed <small>d/τ<sub>c</sub></small>"] : []),
+    "realisations",
+    ...(relaxes ? ["relaxed <small>by fluctuation / energy</small>", "not relaxed"] : []),
+  ];
   const rows = study.systems.map((s, k) => [
     namedLabel(context, k),
     ...keys.map((key) => optionValue(s.swept[key] ?? s.options[key] ?? "–")),
     ...(hasSpeed ? [optionValue(s.options.speed ?? "–")] : []),
     s.planned !== null && s.planned !== s.realisations ? `${s.realisations} of ${s.planned}` : String(s.realisations),
+    ...(relaxes ? relaxed(s) : []),
   ]);
   return table("numbers", head, rows);
+}
+
+/** What the units of the results are in SI, or null. */
+function unitsOf(context: Context): string | null {
+  const { systems } = context.data.study;
+  const known = systems.find((s) => s.scales)?.scales;
+  if (!known) return null;
+  const times = systems
+    .map((s, k) => (s.scales ? `${withUnit(s.scales.time, "s")} (${context.labels[k]})` : ""))
+    .filter(Boolean);
+  const same = new Set(systems.map((s) => s.scales?.time)).size === 1;
+  return (
+    `Results are in units of the mean diameter <i>d</i> = ${withUnit(known.length, "m")}, the mean mass ` +
+    `<i>m</i> = ${withUnit(1000 * known.mass, "g")} and the collision time <i>τ</i><sub>c</sub> = ` +
+    `${same ? withUnit(known.time, "s") : times.join(", ")}.`
+  );
+}
+
+/** How the relaxations ended, over all states and realisations. */
+function relaxed(system: System): string[] {
+  const ended = system.relaxations;
+  if (!ended) return ["–", "–"];
+  const all = ended.fluctuation + ended.energy + ended.budget;
+  return [
+    `${ended.fluctuation} / ${ended.energy}`,
+    ended.budget ? `<b class="hollow">${ended.budget} of ${all}</b>` : `0 of ${all}`,
+  ];
 }
 
 export const summary: Section = {
   id: "systems",
   title: "What was simulated",
   build(context) {
-    return [systemsTable(context)];
+    const relaxes = context.data.study.systems.some((s) => s.relaxations);
+    const scales = unitsOf(context);
+    return [
+      systemsTable(context),
+      ...(scales ? [note(scales)] : []),
+      ...(relaxes
+        ? [
+            note(
+              "Walls stop before a state is measured, until the kinetic energy hardly fluctuates or is negligible beside the " +
+                "elastic energy. What neither happened to within the budget is not relaxed: the table counts such states, " +
+                "and hollow points (○) mark them in all curves.",
+            ),
+          ]
+        : []),
+    ];
   },
 };
 
 const VARIANTS: Record<string, string> = {
-  rho_c: "<i>Z</i> of all grains, mean curve",
+  rho_c: "<i>ρ</i><sub>c</sub> (<i>Z</i> = 3)",
+  rho_j: "<i>ρ</i><sub>J</sub> (inflection of <i>Z</i>)",
+  z_at_rho_j: "<i>Z</i> at <i>ρ</i><sub>J</sub>",
+  z_above: "<i>Z</i> just above",
+  rho_j_backbone: "<i>ρ</i><sub>J</sub> without rattlers",
+  z_backbone_at_rho_j: "<i>Z</i> there, without rattlers",
+  z_backbone_above: "<i>Z</i> just above, without rattlers",
+  rho_p: "<i>ρ</i><sub>p</sub>, first percolation",
   rho_c_walls: "wall contacts counted",
   rho_c_multi: "grains with ≥ 2 contacts",
   rho_c_plain: "plain area",
   rho_inflection: "inflection of <i>Z</i>(<i>ρ</i>)",
   rho_c_single: "mean of single runs",
 };
+
+const CROSSING =
+  "<i>ρ</i><sub>c</sub>: last upward crossing of the ensemble mean of <i>Z</i> = 2<i>N</i><sub>pp</sub>/<i>N</i> at 3, " +
+  "linear interpolation between frames, jackknife standard error over realisations. The other columns count " +
+  "<i>Z</i> or the packing fraction in another way; digits in brackets are the standard error of the last ones.";
+
+const INFLECTION =
+  "<i>ρ</i><sub>J</sub>: inflection of the ensemble mean of <i>Z</i> = 2<i>N</i><sub>pp</sub>/<i>N</i> over the relaxed states, " +
+  "bootstrap standard error over realisations. <i>Z</i> at that point is about half way up its jump; the plateau begins at " +
+  "the first state above. Rattlers touch fewer than two grains or walls and are removed once. Digits in brackets are the " +
+  "standard error of the last ones.";
 
 export const transitions: Section = {
   id: "transitions",
@@ -58,7 +125,12 @@ export const transitions: Section = {
     const { transitions, score } = context.data;
     const out: HTMLElement[] = [];
     const rows = transitions?.rows ?? [];
-    const quantities = [...new Set(rows.map((r) => r.quantity))];
+    const main = rows.some((r) => r.quantity === "rho_j") ? "rho_j" : "rho_c";
+    // Where Z(rho) has an inflection of its own, readings of Z = 3 say nothing.
+    const quantities = [...new Set(rows.map((r) => r.quantity))].filter(
+      (q) => main === "rho_c" || !(q.startsWith("rho_c") || q === "rho_inflection"),
+    );
+    quantities.sort((a, b) => Number(b === main) - Number(a === main));
     const published = new Map(score?.published.map((p) => [p.system, plain(p.value)]));
     if (rows.length) {
       const found = (system: number, quantity: string) =>
@@ -66,27 +138,20 @@ export const transitions: Section = {
       const head = [
         "system",
         "runs",
-        ...(published.size ? ["published <i>ρ</i><sub>c</sub>"] : []),
-        ...quantities.map((q) => (q === "rho_c" ? "<i>ρ</i><sub>c</sub> (<i>Z</i> = 3)" : (VARIANTS[q] ?? escape(q)))),
+        ...(published.size ? [`published ${jammingSymbol(context.data)}`] : []),
+        ...quantities.map((q) => VARIANTS[q] ?? escape(q)),
       ];
       const body = context.data.study.systems.map((_, k) => [
         label(context, k),
-        String(found(k, "rho_c")?.n ?? "–"),
+        String(found(k, main)?.n ?? "–"),
         ...(published.size ? [published.get(k) ?? "–"] : []),
         ...quantities.map((q) => {
           const row = found(k, q);
           if (!row) return "–";
-          return q === "rho_c" ? `<b>${withError(row.value, row.se)}</b>` : compact(row.value, row.se);
+          return q === main ? `<b>${withError(row.value, row.se)}</b>` : compact(row.value, row.se);
         }),
       ]);
-      out.push(
-        table("numbers", head, body),
-        note(
-          "<i>ρ</i><sub>c</sub>: last upward crossing of the ensemble mean of <i>Z</i> = 2<i>N</i><sub>pp</sub>/<i>N</i> at 3, " +
-            "linear interpolation between frames, jackknife standard error over realisations. The other columns count " +
-            "<i>Z</i> or the packing fraction in another way; digits in brackets are the standard error of the last ones.",
-        ),
-      );
+      out.push(table("numbers", head, body), note(main === "rho_c" ? CROSSING : INFLECTION));
     }
     if (score?.rows.length) out.push(scoreTable(score));
     return out.length ? out : null;

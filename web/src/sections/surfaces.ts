@@ -6,7 +6,7 @@ import { grainsOf, jammingOf, jammingSymbol, type Estimate } from "../data";
 import { figure, h, markup } from "../dom";
 import { colourBar, heatMap } from "../heatmap";
 import { plain } from "../numbers";
-import { depth, hex } from "../theme";
+import { depth, heat, hex } from "../theme";
 
 interface Quantity {
   column: string;
@@ -147,8 +147,8 @@ function linesOverRho(surface: Surface): Line[] {
   const rows = surface.thresholds.length;
   const wanted = [...new Set(THRESHOLDS.map((v) => nearestIndex(surface.thresholds, v)))];
   return wanted.map((j, k) => ({
-    label: `<i>F</i><sub>th</sub> = ${plain(surface.thresholds[j], 3)} <i>F̄</i>`,
-    colour: hex(depth((k + 0.4) / wanted.length)),
+    label: `<i>F</i><sub>th</sub>/<i>F̄</i> = ${plain(surface.thresholds[j], 3)}`,
+    colour: hex(heat(0.2 + (0.8 * k) / Math.max(wanted.length - 1, 1))),
     width: 1.7,
     x: surface.rho,
     y: surface.rho.map((_, i) => surface.mean[i * rows + j]),
@@ -215,7 +215,7 @@ function cuts(context: Context, surfaces: Surface[], range: [number, number]): H
     ways.forEach(([way], k) => buttons[k].setAttribute("aria-pressed", String(way === over)));
   };
   show("rho");
-  return [h("div", "chooser cuts", ...buttons), place];
+  return [h("div", "chooser cuts", ...buttons), h("div", "heat-row", place, h("div", "colour-bar"))];
 }
 
 export const surfaces: Section = {

@@ -1,6 +1,7 @@
 // Total persistence over packing fraction, and Betti numbers over the force threshold.
 import type { Chart, Line } from "../chart";
 import type { Section } from "../context";
+import { grainsOf } from "../data";
 import { figure, h, markup } from "../dom";
 import { plain } from "../numbers";
 
@@ -9,7 +10,7 @@ export const topology: Section = {
   title: "Topology of the force network",
   build(context) {
     const out: HTMLElement[] = [];
-    const grains = (system: number) => 1 / Number(context.data.study.systems[system].options["grains.count"] ?? 1);
+    const grains = (system: number) => 1 / grainsOf(context.data.study, system);
     const totals = [0, 1, 2]
       .map((k) =>
         context.overRho(
@@ -27,10 +28,12 @@ export const topology: Section = {
             "Sum of all lifetimes per grain: how mountainous the landscape of forces is. A perfectly even load gives a small " +
             "value, isolated peaks and persistent loops a large one.",
           formula: "TP<sub><i>k</i></sub> = Σ (birth − death), classes that never die with death 0",
+          source: context.data.surfaces ? "S2 Sec. 5.3, Fig. 12." : undefined,
         }),
       );
 
-    const data = context.data.distribution("betti");
+    // The surfaces show the same, and more.
+    const data = context.data.surfaces ? null : context.data.distribution("betti");
     const rhos = [...new Set(data?.systems.flatMap((s) => s.frames.map((f) => f.rho)) ?? [])].sort((a, b) => a - b);
     if (data && rhos.length) {
       const linesAt = (quantity: string, rho: number): Line[] =>

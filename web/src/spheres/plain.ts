@@ -44,8 +44,7 @@ export function drawPlain(ctx: CanvasRenderingContext2D, size: number, scene: Sc
   const pixels = (length: number, z: number) => (half * lens.scale * length) / (lens.eye - z);
   const pale = (z: number) => 1 - 0.45 * Math.min(Math.max((scene.reach - z) / (2 * scene.reach), 0), 1) ** 2;
   const items: Item[] = [];
-  const rod = (a: number[], b: number[], colour: string, width: number) => {
-    const z = (a[2] + b[2]) / 2;
+  const rod = (a: number[], b: number[], colour: string, width: number, z = (a[2] + b[2]) / 2) => {
     items.push({
       z,
       draw: () => {
@@ -71,7 +70,10 @@ export function drawPlain(ctx: CanvasRenderingContext2D, size: number, scene: Sc
       if (c[k + 6] < look.least) continue;
       const a = rotate(view.rotation, c[k], c[k + 1], c[k + 2]);
       const b = rotate(view.rotation, c[k + 3], c[k + 4], c[k + 5]);
-      if ((a[2] + b[2]) / 2 <= lens.front) rod(a, b, heat(c[k + 6] / 4), 0.024 + 0.068 * Math.min(c[k + 6], 5));
+      const middle = a.map((v, axis) => (v + b[axis]) / 2);
+      if (middle[2] > lens.front) continue;
+      const [colour, width] = [heat(c[k + 6] / 4), 0.024 + 0.068 * Math.min(c[k + 6], 5)];
+      for (const end of [a, b]) rod(end, middle, colour, width, Math.min(end[2], middle[2]) - 0.01); // behind its grain
     }
   if (look.what !== "forces")
     for (let k = 0; k < scene.strongest.length; ++k) {

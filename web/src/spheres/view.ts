@@ -23,6 +23,9 @@ export const START_LOOK: Look = { what: "both", least: 0, cut: 0 };
 /** Distance of the eye from the middle, in units of the scene's reach. */
 export const EYE = 4.5;
 
+/** Size of that ball in a picture from −1 to 1: a box does not reach its border in most views. */
+const FIT = 1.06;
+
 export function startView(): View {
   return { rotation: turned(turned([1, 0, 0, 0, 0, 1, 0, -1, 0], 0.55, 0), 0, 0.3), zoom: 1 };
 }
@@ -62,7 +65,7 @@ export interface Lens {
 export function lensOf(scene: Scene, view: View, look: Look): Lens {
   const eye = EYE * scene.reach;
   const grazing = Math.sqrt(EYE * EYE - 1); // of the eye's ray that touches the ball of the scene
-  return { eye, scale: 0.98 * grazing * view.zoom, front: scene.reach * (1 - 2 * look.cut) + (look.cut ? 0 : scene.reach) };
+  return { eye, scale: FIT * grazing * view.zoom, front: scene.reach * (1 - 2 * look.cut) + (look.cut ? 0 : scene.reach) };
 }
 
 /** Into the screen's axes. */
