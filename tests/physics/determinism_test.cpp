@@ -56,6 +56,7 @@ std::vector<SystemOptions> scenes_to_compare() {
       s.contact.impact_speed = 0.1;
       s.contact.wall_stiffness = 2;
       s.integrator.step = 0.004;
+      s.stages[0].speed = 5e-2;
       all.push_back(s);
     }
   return all;
