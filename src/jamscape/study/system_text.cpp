@@ -63,11 +63,14 @@ System make_system(const SystemText& text) {
   system.scales = scales_of(system.units, system.options.contact.law, system.places);
   options = system_options(system.options);
   for (const Leaf& leaf : rest) assign(find_option(options, leaf), leaf.value, system.scales);
-  for (std::size_t k = 0; k < text.stages.size(); ++k)
-    if (const std::string& name = system.options.stages[k].name; name != text.stages[k])
+  for (std::size_t k = 0; k < text.stages.size(); ++k) {
+    std::string& name = system.options.stages[k].name;
+    if (!name.empty() && name != text.stages[k])
       throw usage_error(
           fmt::format("the stage '{}' cannot be renamed to '{}': its keys go by its name", text.stages[k], name),
           system.places["stage." + text.stages[k] + ".name"], "change the name where the stage is written");
+    name = text.stages[k];
+  }
   set_material(system.units, system.scales, system.options.contact, system.places);
   return system;
 }

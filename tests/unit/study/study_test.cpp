@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "jamscape/base/error.hpp"
 #include "jamscape/study/identity.hpp"
 #include "small_study.hpp"
 
@@ -32,6 +33,12 @@ TEST(PrintStudy, KeepsSystemsWithStagesOfTheirOwn) {
   ASSERT_EQ(again.systems.at(2).options.stages.size(), 2u);
   EXPECT_EQ(again.systems[2].options.stages[1].frames_at, (std::vector<double>{0.85}));
   EXPECT_EQ(again.systems[2].options.grains.width, 0.3);
+}
+
+TEST(PrintStudy, AStageMayBeNamelessButNotRenamed) {
+  const std::string text = "[study]\nname = \"w\"\n[[stage]]\nname = \"\"\nto = 0.7\n";
+  EXPECT_EQ(read_study_text(text, "s.toml").systems.at(0).options.stages.at(0).name, "compress-1");
+  EXPECT_THROW(read_study_text(text, "s.toml", {{"stage.compress-1.name", "other"}}), Error);
 }
 
 TEST(PrintStudy, ResolvesSweeps) {
