@@ -63,23 +63,30 @@ export interface Chart {
 const SERIES_PER_LINE = 3; // mean, lower, upper
 const meanIndex = (line: number) => 1 + SERIES_PER_LINE * line;
 
+type Column = (number | null | undefined)[];
+
 /**
- * All lines on the union of their abscissae; null where a line has no point. On a logarithmic axis with a fixed range a
+ * All lines on the union of their abscissae: undefined where a line has no point, null where its point has no value, which
+ * leaves a gap. On a logarithmic axis with a fixed range a
  * zero becomes `floor`, far below the axis, so that the curve leaves the panel; without one it is left out.
  */
 function joined(lines: Line[], log: boolean, floor: number): uPlot.AlignedData {
   const xs = [...new Set(lines.flatMap((line) => line.x))].sort((a, b) => a - b);
   const place = new Map(xs.map((x, k) => [x, k]));
-  const columns: (number | null)[][] = [];
+  const columns: Column[] = [];
   for (const line of lines) {
-    const mean = new Array<number | null>(xs.length).fill(null);
+    const mean: Column = new Array(xs.length).fill(undefined);
     const lower = [...mean];
     const upper = [...mean];
     line.x.forEach((x, k) => {
       const known = line.y[k];
-      if (known === null || (log && known <= 0 && floor === 0)) return;
-      const value = log ? Math.max(known, floor) : known;
       const at = place.get(x)!;
+      if (known === null) {
+        mean[at] = lower[at] = upper[at] = null;
+        return;
+      }
+      if (log && known <= 0 && floor === 0) return;
+      const value = log ? Math.max(known, floor) : known;
       const se = line.se?.[k] ?? 0;
       mean[at] = value;
       lower[at] = log ? Math.max(value - se, value / 20) : value - se;
@@ -94,14 +101,13 @@ function seriesOf(lines: Line[]): { series: uPlot.Series[]; bands: uPlot.Band[] 
   const series: uPlot.Series[] = [{}];
   const bands: uPlot.Band[] = [];
   lines.forEach((line, k) => {
-    const edge: uPlot.Series = { stroke: "transparent", width: 0, spanGaps: true, points: { show: false } };
+    const edge: uPlot.Series = { stroke: "transparent", width: 0, points: { show: false } };
     const sparse = line.points !== false && line.x.length < 30;
     series.push(
       {
         stroke: line.colour,
         width: line.width ?? 2,
         dash: line.dash,
-        spanGaps: true,
         points: { show: sparse, size: 4.5, fill: line.colour, stroke: line.colour },
       },
       { ...edge },
@@ -144,7 +150,7 @@ function axes(options: ChartOptions): uPlot.Axis[] {
     {
       ...common,
       ...(options.log ? { splits: logSplits, grid: { ...common.grid, filter: onlyDecades as uPlot.Axis.Filter } } : {}),
-      size: 46,
+      size: (_, values) => Math.max(46, 15 + 7 * Math.max(0, ...(values ?? []).map((text) => text.length))),
       space: options.log ? 14 : 36,
       values: options.log ? decades : (_, splits) => splits.map((v) => (v === null ? "" : plain(v))),
     },
@@ -265,12 +271,25 @@ function hollowPoints(lines: () => Line[]): uPlot.Plugin {
   };
 }
 
-function nearest(column: ArrayLike<number | null | undefined>, index: number): number | null {
-  for (let away = 0; away < 4; ++away) {
-    if (column[index - away] != null) return index - away;
-    if (column[index + away] != null) return index + away;
+/** Index of the line's own point nearest to x; null farther than half a step beyond its ends. */
+function nearestPoint(line: Line, x: number): number | null {
+  const last = line.x.length - 1;
+  if (last < 0) return null;
+  const half = last > 0 ? (line.x[last] - line.x[0]) / last / 2 : Infinity;
+  if (x < line.x[0] - half || x > line.x[last] + half) return null;
+  let best = 0;
+  for (let k = 1; k <= last; ++k) if (Math.abs(line.x[k] - x) < Math.abs(line.x[best] - x)) best = k;
+  return best;
+}
+
+/** Where the dot of a curve stands under the cursor: at its own point nearest to it. */
+function dotIndex(u: uPlot, series: number, hovered: number): number {
+  const column = u.data[series];
+  for (let away = 0; away < 20; ++away) {
+    if (column[hovered - away] != null) return hovered - away;
+    if (column[hovered + away] != null) return hovered + away;
   }
-  return null;
+  return hovered;
 }
 
 function tooltip(options: ChartOptions, lines: () => Line[]): uPlot.Plugin {
@@ -281,16 +300,14 @@ function tooltip(options: ChartOptions, lines: () => Line[]): uPlot.Plugin {
     const rows: string[] = [];
     if (inside && idx != null && left != null && left >= 0) {
       lines().forEach((line, k) => {
-        if (!u.series[meanIndex(k)].show) return;
-        const at = nearest(u.data[meanIndex(k)], idx);
-        if (at === null) return;
-        const value = u.data[meanIndex(k)][at]!;
-        const se = u.data[meanIndex(k) + 2][at]! - value;
-        const count = line.unrelaxed?.[line.x.indexOf(u.data[0][at])];
+        const at = u.series[meanIndex(k)].show ? nearestPoint(line, u.data[0][idx]) : null;
+        const value = at === null ? null : line.y[at];
+        if (at === null || value === null) return;
+        const count = line.unrelaxed?.[at];
         rows.push(
           `<tr><td><i class="swatch" style="background:${line.colour}"></i></td><td>${line.label}` +
             `${count ? ` <span class="what">${count} not relaxed</span>` : ""}</td>` +
-            `<td>${withError(value, line.se ? se : null)}</td></tr>`,
+            `<td>${withError(value, line.se?.[at] ?? null)}</td></tr>`,
         );
       });
     }
@@ -364,6 +381,7 @@ export function chart(options: ChartOptions): Chart {
         legend: { show: false },
         cursor: {
           y: false,
+          dataIdx: dotIndex,
           points: { size: 7, width: 1.5, fill: "#fff" },
           sync: options.sync ? { key: options.sync, setSeries: false } : undefined,
         },

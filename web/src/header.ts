@@ -16,7 +16,7 @@ function facts(study: Study): string[] {
   return [
     `${study.systems.length} system${study.systems.length === 1 ? "" : "s"}`,
     `${runs} realisation${runs === 1 ? "" : "s"}`,
-    ...(counts.length ? [`${counts.join(", ")} grains each`] : []),
+    ...(counts.length ? [`${counts.join(" or ")} grains each`] : []),
     ...(dimensions.length ? [`${dimensions.join(" and ")} dimensions`] : []),
   ];
 }

@@ -22,8 +22,8 @@ const OPTIONS: Record<string, string> = {
 };
 
 export function optionSymbol(key: string): string {
-  if (/^stage\..*\.to$/.test(key)) return "<i>ρ</i> at end";
-  if (/^stage\..*\.speed$/.test(key)) return "wall speed";
+  const [, stage, option] = /^stage\.(.*)\.(\w+)$/.exec(key) ?? [];
+  if (stage) return `${escape(option)} <small>${escape(stage)}</small>`;
   return OPTIONS[key] ?? escape(key.split(".").pop() ?? key);
 }
 

@@ -58,7 +58,7 @@ function percolation(context: Context): HTMLElement | null {
   if (!lines.length) return null;
   const estimate = context
     .lines("percolation_estimate")
-    .map((line) => ({ ...line, label: `${line.label}, estimate`, dash: [3, 4], width: 1.3, points: false, se: undefined, unrelaxed: undefined }));
+    .map((line) => ({ ...line, y: line.y.map((v) => (v !== null && v <= 1 ? v : null)), label: `${line.label}, estimate`, dash: [3, 4], width: 1.3, points: false, se: undefined, unrelaxed: undefined }));
   const panel = context.curves([...lines, ...estimate], {
     title: "<i>N</i><sub>per</sub>/<i>N</i> <span class=\"what\">grains in percolating clusters, <i>F</i><sub>th</sub> = 0</span>",
     marks: context.marks(),
@@ -68,8 +68,9 @@ function percolation(context: Context): HTMLElement | null {
   });
   return figure("", [panel], {
     text:
-      "Part of the grains in clusters that join two opposite walls, 0 for packings without; dotted: the least part of the " +
-      "grains of a random network with the same contacts that percolates.",
+      "Part of the grains in clusters that join two opposite walls: mean over the packings that have one, left out where " +
+      "fewer than half of them do. Dotted: the least part of the grains that percolates in a random network with as many " +
+      "contacts.",
     formula: "estimate ⟨<i>k</i>⟩ / (⟨<i>k</i><sup>2</sup>⟩ − ⟨<i>k</i>⟩)",
     source: "S2 Eq. 6, Fig. 5.",
   });

@@ -8,6 +8,19 @@ import { systemColour } from "../theme";
 
 const ALWAYS = ["grains.count", "grains.width", "contact.friction"];
 
+/** Options that name the physics of a system; of many that differ only these head the table. */
+const TELLING = [
+  ...ALWAYS,
+  "grains.size_ratio",
+  "grains.sizes",
+  "domain.dimension",
+  "domain.walls",
+  "contact.law",
+  "contact.damping",
+  "contact.restitution",
+];
+const MANY = 5;
+
 function label(context: Context, system: number): string {
   return `<i class="swatch" style="background:${systemColour(system)}"></i>${context.labels[system]}`;
 }
@@ -18,28 +31,49 @@ function namedLabel(context: Context, system: number): string {
   return label(context, system) + (name === context.labels[system] ? "" : ` <span class="what">${name}</span>`);
 }
 
-function systemsTable(context: Context): HTMLElement {
-  const { study } = context.data;
-  const keys = [...ALWAYS, ...study.swept.filter((key) => !ALWAYS.includes(key))].filter((key) =>
-    study.systems.some((s) => key in s.options || key in s.swept),
-  );
-  const hasSpeed = study.systems.some((s) => "speed" in s.options);
-  const relaxes = study.systems.some((s) => s.relaxations);
-  const head = [
-    "system",
-    ...keys.map(optionSymbol),
-    ...(hasSpeed ? ["wall speed <small>d/τ<sub>c</sub></small>"] : []),
-    "realisations",
-    ...(relaxes ? ["relaxed <small>by fluctuation / energy</small>", "not relaxed"] : []),
-  ];
-  const rows = study.systems.map((s, k) => [
+/** A row per system; `more` columns at the end. */
+function optionsTable(context: Context, keys: string[], more: { head: string; cell: (system: System) => string }[]): HTMLElement {
+  const { systems } = context.data.study;
+  const rows = systems.map((s, k) => [
     namedLabel(context, k),
     ...keys.map((key) => optionValue(s.swept[key] ?? s.options[key] ?? "–")),
-    ...(hasSpeed ? [optionValue(s.options.speed ?? "–")] : []),
-    s.planned !== null && s.planned !== s.realisations ? `${s.realisations} of ${s.planned}` : String(s.realisations),
-    ...(relaxes ? relaxed(s) : []),
+    ...more.map(({ cell }) => cell(s)),
   ]);
-  return table("numbers", head, rows);
+  return table("numbers", ["system", ...keys.map(optionSymbol), ...more.map(({ head }) => head)], rows);
+}
+
+function systemsTable(context: Context): HTMLElement[] {
+  const { study } = context.data;
+  const known = (key: string) => study.systems.some((s) => key in s.options || key in s.swept);
+  const many = study.swept.length > MANY;
+  const differing = study.swept.filter((key) => !many || TELLING.includes(key));
+  const keys = [...ALWAYS, ...differing.filter((key) => !ALWAYS.includes(key))].filter(known);
+  const more = [];
+  if (study.systems.some((s) => "speed" in s.options))
+    more.push({ head: "wall speed <small>d/τ<sub>c</sub></small>", cell: (s: System) => optionValue(s.options.speed ?? "–") });
+  more.push({
+    head: "realisations",
+    cell: (s: System) => (s.planned !== null && s.planned !== s.realisations ? `${s.realisations} of ${s.planned}` : String(s.realisations)),
+  });
+  if (study.systems.some((s) => s.relaxations))
+    more.push(
+      {
+        head: "relaxed <small>by fluctuation, by energy</small>",
+        cell: ({ relaxations: r }: System) => (r ? `${r.fluctuation}, ${r.energy}` : "–"),
+      },
+      { head: "not relaxed", cell: notRelaxed },
+    );
+  const rest = study.swept.filter((key) => !keys.includes(key));
+  if (!rest.length) return [optionsTable(context, keys, more)];
+  const all = h("details", "", h("summary", "", `${rest.length} more options that differ`), optionsTable(context, rest, []));
+  return [optionsTable(context, keys, more), all];
+}
+
+/** How many states of how many, over all realisations. */
+function notRelaxed({ relaxations: ended }: System): string {
+  if (!ended) return "–";
+  const all = ended.fluctuation + ended.energy + ended.budget;
+  return ended.budget ? `<b class="hollow">${ended.budget} of ${all}</b>` : `0 of ${all}`;
 }
 
 /** What the units of the results are in SI, or null. */
@@ -58,17 +92,6 @@ function unitsOf(context: Context): string | null {
   );
 }
 
-/** How the relaxations ended, over all states and realisations. */
-function relaxed(system: System): string[] {
-  const ended = system.relaxations;
-  if (!ended) return ["–", "–"];
-  const all = ended.fluctuation + ended.energy + ended.budget;
-  return [
-    `${ended.fluctuation} / ${ended.energy}`,
-    ended.budget ? `<b class="hollow">${ended.budget} of ${all}</b>` : `0 of ${all}`,
-  ];
-}
-
 export const summary: Section = {
   id: "systems",
   title: "What was simulated",
@@ -76,7 +99,7 @@ export const summary: Section = {
     const relaxes = context.data.study.systems.some((s) => s.relaxations);
     const scales = unitsOf(context);
     return [
-      systemsTable(context),
+      ...systemsTable(context),
       ...(scales ? [note(scales)] : []),
       ...(relaxes
         ? [

@@ -225,8 +225,9 @@ export const surfaces: Section = {
     const out = QUANTITIES.flatMap((quantity) => {
       const all = surfacesOf(context, quantity);
       const values = all.flatMap((s) => s.mean.filter((v): v is number => v !== null));
-      if (!values.length) return [];
-      const range: [number, number] = [0, values.reduce((a, b) => Math.max(a, b), 0) || 1];
+      const largest = values.reduce((a, b) => Math.max(a, b), 0);
+      if (largest <= 0) return [];
+      const range: [number, number] = [0, largest];
       const unrelaxed = all.some((s) => s.unrelaxed?.some(Boolean));
       return [
         figure(quantity.title, [maps(context, all, range), ...cuts(context, all, range)], {
