@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -92,9 +93,11 @@ ExitCode score(const std::string& dir, const std::string& file, bool as_json) {
                  verdict_name(s.verdict), s.target, s.systems, s.source, s.published, print_ours(s), s.n, s.needed,
                  s.note.empty() ? "" : "   ", s.note);
   }
-  if (!as_json)
-    fmt::print("\n{} pass, {} fail, {} known deviations, {} with too few runs\n", count[0], count[1], count[2],
-               count[3]);
+  if (as_json) return ExitCode::done;
+  const auto elsewhere =
+      std::count_if(targets.begin(), targets.end(), [&](const Target& t) { return !concerns(t, study); });
+  fmt::print("\n{} pass, {} fail, {} known deviations, {} with too few runs\n", count[0], count[1], count[2], count[3]);
+  if (elsewhere > 0) fmt::print("{} targets are of systems that this study does not have\n", elsewhere);
   return ExitCode::done;
 }
 

@@ -91,8 +91,9 @@ where = { contact.friction = 7 }
             verdicts.setdefault(line["target"], []).append(line["verdict"])
         self.assertEqual(verdicts, {"z grows": ["pass", "pass"], "z shrinks": ["fail", "fail"],
                                     "far off, and known to be": ["known deviation"],
-                                    "many runs": ["insufficient", "insufficient"],
-                                    "of another study": ["insufficient"]})
+                                    "many runs": ["insufficient", "insufficient"]})
+        text = self.program("score", "out", "--targets", "t.toml").stdout
+        self.assertIn("1 targets are of systems that this study does not have", text)
 
     def test_export_and_measure_come_back_to_the_same(self):
         self.program("export", "out", "--out", "csv")

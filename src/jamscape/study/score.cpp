@@ -101,12 +101,18 @@ std::string_view verdict_name(Verdict verdict) {
   return "";
 }
 
+bool concerns(const Target& target, const Study& study) {
+  const auto some = [&](const Side& side) {
+    return std::any_of(study.systems.begin(), study.systems.end(), [&](const System& s) { return fits(s, side); });
+  };
+  return some(target.left) && some(target.right);
+}
+
 std::vector<Score> score_targets(const std::vector<Target>& targets, const Study& study,
                                  const std::vector<DoneTask>& done) {
   Reader reader(study, done);
   std::vector<Score> scores;
   for (const Target& target : targets) {
-    bool found = false;
     for (std::size_t a = 0; a < study.systems.size(); ++a) {
       if (!fits(study.systems[a], target.left)) continue;
       const bool two = !target.right.quantity.empty() && !target.right.where.empty();
@@ -116,12 +122,8 @@ std::vector<Score> score_targets(const std::vector<Target>& targets, const Study
             two ? fmt::format("{} {} {}", study.systems[a].name, target.is_order() ? ">" : "=", study.systems[b].name)
                 : study.systems[a].name;
         scores.push_back(judge(target, reader.read(target.left, a), reader.read(target.right, b), systems));
-        found = true;
       }
     }
-    if (!found)
-      scores.push_back(
-          judge(target, {{0, none, none, none}, "no system of this study"}, {{0, none, none, none}, {}}, "-"));
   }
   return scores;
 }

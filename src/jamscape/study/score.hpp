@@ -27,8 +27,12 @@ struct Score {
   std::string note;  ///< reason of a known deviation, or what is missing
 };
 
-/// A value or an agreement passes within its tolerance; an order when left exceeds right by more than two standard
-/// errors. Fewer realisations than needed: insufficient. A known deviation is never a pass. `done` have been measured.
+/// Does the study have systems of both sides?
+bool concerns(const Target& target, const Study& study);
+
+/// One row for each target that concerns the study and each system (or two) it is of. A value or an agreement passes
+/// within its tolerance; an order when left exceeds right by more than two standard errors. Fewer realisations than
+/// needed: insufficient. A known deviation is never a pass. `done` have been measured.
 std::vector<Score> score_targets(const std::vector<Target>& targets, const Study& study,
                                  const std::vector<DoneTask>& done);
 
