@@ -96,9 +96,13 @@ TEST(BuiltinStudies, FinerStepsGoFromBelowJammingToAbove) {
   const double rho_j[] = {0.834, 0.842, 0.570};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::vector<PlannedFrame> frames = plan(s.systems[k].options, task_key(s.systems[k].options, 1, 0)).frames;
-    EXPECT_NEAR(frames.back().packing_fraction, rho_j[k] + 0.03, 1e-9);
-    EXPECT_NEAR(frames[frames.size() - 13].packing_fraction, rho_j[k] - 0.03, 1e-9) << "twelve steps of .005";
-    EXPECT_NEAR(frames[frames.size() - 14].packing_fraction, rho_j[k] - 0.05, 1e-9) << "and .02 before";
+    EXPECT_GT(frames.back().packing_fraction, rho_j[k] + 0.025);
+    EXPECT_LT(frames.front().packing_fraction, rho_j[k] - 0.015);
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+      EXPECT_TRUE(frames[f].relaxed);
+      if (f == 0) continue;
+      EXPECT_NEAR(frames[f].packing_fraction - frames[f - 1].packing_fraction, 0.005, 1e-9);
+    }
   }
 }
 
