@@ -2,9 +2,11 @@
 #include "jamscape/study/reading.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/files.hpp"
@@ -27,9 +29,7 @@ bool jammed(int percent, int run) { return percent > (run == 3 ? 81 : 83); }
 class Readings : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() /
-             ("jamscape-reading-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
-              std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder = fs::temp_directory_path() / ("jamscape-reading-" + std::to_string(::getpid()));
     make_folder(folder);
     std::string frames =
         "system,realisation,frame,stage,relaxation,step,time,packing_fraction_target,packing_fraction,"
@@ -64,7 +64,8 @@ class Readings : public testing::Test {
 
   double read(const std::string& side) {
     const std::string text = "[[target]]\nname = \"t\"\nleft = { " + side + " }\nright = { value = 0 }\n";
-    const Reading r = Reader(study, done).read(read_targets(text, "t.toml").at(0).left, 0);
+    if (!reader) reader.emplace(study, done);  // it keeps what it has found
+    const Reading r = reader->read(read_targets(text, "t.toml").at(0).left, 0);
     problem = r.problem;
     error = r.moments.se;
     return r.moments.mean;
@@ -74,6 +75,7 @@ class Readings : public testing::Test {
   Study study;
   std::vector<Task> tasks;
   std::vector<DoneTask> done;
+  std::optional<Reader> reader;
   std::string problem;
   double error = 0;
 };

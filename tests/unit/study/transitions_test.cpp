@@ -69,5 +69,51 @@ TEST(Transitions, NoneBelowJammingAndWithoutZ) {
   EXPECT_TRUE(find_transitions(s, 1, "key").empty());
 }
 
+/// The same runs, with a frame before every relaxation in which nothing touches, and a Z without rattlers 1 higher.
+FrameSeries relaxed() {
+  const FrameSeries dense = jumping();
+  FrameSeries s;
+  s.quantity = {"packing_fraction_plain", "z", "z_backbone", "percolates"};
+  s.realisations = 3;
+  s.value.assign(4, std::vector<std::vector<double>>(3));
+  for (std::size_t k = 0; k < dense.target.size(); k += 5)
+    for (const bool rest : {false, true}) {
+      s.target.push_back(dense.target[k]);
+      s.relaxed.push_back(rest);
+      for (std::size_t r = 0; r < 3; ++r) {
+        const double z = dense.value[1][r][k];
+        s.value[0][r].push_back(dense.value[0][r][k]);
+        s.value[1][r].push_back(rest ? z : 0);
+        s.value[2][r].push_back(rest ? z + 1 : 0);
+        s.value[3][r].push_back(rest && z > 3 ? 1 : 0);
+      }
+    }
+  return s;
+}
+
+TEST(Transitions, OfRelaxedStatesAreS2s) {
+  const std::vector<Transition> t = find_transitions(relaxed(), 1, "key");
+  EXPECT_NEAR(get(t, "rho_c").value, 0.81, 1e-3) << "frames that are not relaxed do not count";
+  EXPECT_NEAR(get(t, "rho_j").value, 0.81, 2e-3);
+  EXPECT_GT(get(t, "rho_j").se, 0.001);
+  EXPECT_NEAR(get(t, "z_at_rho_j").value, 3, 0.1) << "half way up";
+  EXPECT_NEAR(get(t, "z_backbone_at_rho_j").value, 4, 0.1);
+  EXPECT_NEAR(get(t, "rho_j_backbone").value, get(t, "rho_j").value, 1e-9);
+  const double above = get(t, "z_above").value;
+  EXPECT_GT(above, 2.9);
+  EXPECT_LT(above, 5.5);
+  EXPECT_NEAR(get(t, "z_backbone_above").value, above + 1, 1e-9);
+  EXPECT_NEAR(get(t, "rho_p").value, 0.81, 0.011) << "first states with more than 3";
+  EXPECT_EQ(get(t, "rho_p").n, 3u);
+}
+
+TEST(Transitions, ARunThatNeverPercolatesHasNoOnset) {
+  FrameSeries s = relaxed();
+  for (double& p : s.value[3][1]) p = 0;
+  EXPECT_EQ(get(find_transitions(s, 1, "key"), "rho_p").n, 2u);
+  s.value[3][0].back() = 0;
+  EXPECT_EQ(get(find_transitions(s, 1, "key"), "rho_p").n, 1u) << "it must last to the end";
+}
+
 }  // namespace
 }  // namespace jam
