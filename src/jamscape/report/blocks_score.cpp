@@ -37,6 +37,7 @@ Json score_block(const Results& results) {
 
   Json rows = Json::array();
   for (const Score& score : score_targets(targets, study, done)) rows.push_back(row_json(score));
+  if (rows.empty()) return nullptr;
 
   // Published points of jamming, so that they can stand beside ours whatever the verdict.
   std::vector<Target> values;

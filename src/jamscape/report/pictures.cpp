@@ -35,9 +35,12 @@ std::vector<PictureFrame> all_frames(const Results& results, const Task& task, c
 std::vector<double> reached(std::vector<double> wanted, const std::map<std::int64_t, double>& rho) {
   constexpr double step = 0.02;
   if (rho.empty()) return wanted;
-  const auto [least, most] =
-      std::minmax_element(rho.begin(), rho.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  std::erase_if(wanted, [&](double value) { return value < least->second - step || value > most->second + step; });
+  double least = rho.begin()->second, most = least;
+  for (const auto& [frame, value] : rho) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  std::erase_if(wanted, [&](double value) { return value < least - step || value > most + step; });
   return wanted;
 }
 

@@ -91,7 +91,7 @@ const isSpheres = (frame: NetworkFrame) => frame.axes.length === 3;
 /** A canvas that is drawn again at its new size, and anew when the choice changes. */
 function picture(
   context: Context,
-  draw: (canvas: HTMLCanvasElement, size: number) => void,
+  draw: Draw,
   spheres = false,
 ): HTMLCanvasElement {
   const canvas = h("canvas", "picture");
@@ -104,7 +104,7 @@ function picture(
     requestAnimationFrame(() => draw(canvas, size));
   }).observe(canvas);
   const redraw = onceAFrame(() => {
-    if (size) draw(canvas, size);
+    if (size) draw(canvas, size, true);
   });
   const { frame, view, look } = context.state;
   frame.watch(redraw);
@@ -129,14 +129,14 @@ function onceAFrame(call: () => void): () => void {
 function enlarged(
   context: Context,
   title: string,
-  draw: (canvas: HTMLCanvasElement, size: number) => void,
+  draw: Draw,
   turnable = false,
 ): void {
   const size = Math.min(window.innerWidth, window.innerHeight) - 90;
   const canvas = h("canvas", "large");
   canvas.style.width = canvas.style.height = `${size}px`;
   const dialog = h("dialog", "lightbox", markup(title, "div", "picture-title"), canvas);
-  const redraw = onceAFrame(() => draw(canvas, size));
+  const redraw = onceAFrame(() => draw(canvas, size, true));
   const stop = turnable ? context.state.view.watch(redraw) : () => {};
   dialog.addEventListener("click", (event) => {
     if (!turnable || event.target !== canvas) dialog.close();
@@ -151,10 +151,20 @@ function enlarged(
   draw(canvas, size);
 }
 
-function drawNetwork(context: Context, canvas: HTMLCanvasElement, frame: NetworkFrame, size: number): void {
+/** `turning`: the reader may be turning it; where that is slow a draft comes first, and the picture when he rests. */
+type Draw = (canvas: HTMLCanvasElement, size: number, turning?: boolean) => void;
+
+function networkDrawer(context: Context, chosen: () => NetworkFrame): Draw {
   const { view, look } = context.state;
-  if (isSpheres(frame)) drawSpheres(canvas, frame, size, view.get(), look.get());
-  else drawPacking(canvas, frame, size, look.get().least);
+  const waiting = new WeakMap<HTMLCanvasElement, number>();
+  const draw: Draw = (canvas, size, turning = false) => {
+    const frame = chosen();
+    window.clearTimeout(waiting.get(canvas));
+    if (!isSpheres(frame)) return drawPacking(canvas, frame, size, look.get().least);
+    if (drawSpheres(canvas, frame, size, view.get(), look.get(), turning))
+      waiting.set(canvas, window.setTimeout(() => draw(canvas, size), 350));
+  };
+  return draw;
 }
 
 function hideWithLegend(context: Context, system: number, element: HTMLElement): void {
@@ -177,7 +187,7 @@ export const networks: Section = {
     const cells = networks.systems.flatMap((frames, system) => {
       if (!frames.length) return [];
       const chosen = () => pick(frames, state.frame.get(), jammingOf(context.data, system))!;
-      const draw = (canvas: HTMLCanvasElement, size: number) => drawNetwork(context, canvas, chosen(), size);
+      const draw = networkDrawer(context, chosen);
       const canvas = picture(context, draw, isSpheres(frames[0]));
       canvas.setAttribute("aria-label", `force network of ${context.data.study.systems[system].name}`);
       const open = () => enlarged(context, titleOf(context, system, chosen().rho), draw, isSpheres(frames[0]));

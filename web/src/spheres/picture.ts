@@ -8,13 +8,36 @@ import { drawPlain } from "./plain";
 import { sceneOf } from "./scene";
 import { startView, turned, type Look, type View } from "./view";
 
-export function drawSpheres(canvas: HTMLCanvasElement, frame: NetworkFrame, size: number, view: View, look: Look): void {
-  const side = Math.round(size * pixelRatio);
+/** A picture that takes longer than this, in ms, is turned as a draft: graphics cards are faster. */
+const SLOW = 80;
+/** Resolution of a draft, and how many contacts it has: the strongest. */
+const DRAFT = 0.5;
+const DRAFT_CONTACTS = 3000;
+let slow = false;
+
+/**
+ * Draws a packing. On slow machines a picture that is being turned is a draft: coarse, and of the strongest forces only.
+ * Returns true when this one is a draft that waits to be drawn in full.
+ */
+export function drawSpheres(
+  canvas: HTMLCanvasElement,
+  frame: NetworkFrame,
+  size: number,
+  view: View,
+  look: Look,
+  turning = false,
+): boolean {
+  const started = performance.now();
+  const draft = turning && slow;
+  const side = Math.round(size * pixelRatio * (draft ? DRAFT : 1));
   if (canvas.width !== side || canvas.height !== side) canvas.width = canvas.height = side;
   const ctx = canvas.getContext("2d")!;
   const scene = sceneOf(frame);
-  if (!drawWithGl(ctx, side, scene, view, look)) drawPlain(ctx, side, scene, view, look);
-  drawAxes(ctx, side, pixelRatio * Math.min(Math.max(size / 420, 0.8), 1.5), view);
+  if (draft) drawPlain(ctx, side, scene, view, look, DRAFT_CONTACTS);
+  else if (!drawWithGl(ctx, side, scene, view, look)) drawPlain(ctx, side, scene, view, look);
+  drawAxes(ctx, side, (side / size) * Math.min(Math.max(size / 420, 0.8), 1.5), view);
+  if (!draft) slow = performance.now() - started > SLOW;
+  return draft;
 }
 
 /** Radians per width of the picture. */

@@ -36,7 +36,15 @@ interface Item {
   draw(): void;
 }
 
-export function drawPlain(ctx: CanvasRenderingContext2D, size: number, scene: Scene, view: View, look: Look): void {
+/** Of the contacts at most the `most` strongest, and then no grains beside them. */
+export function drawPlain(
+  ctx: CanvasRenderingContext2D,
+  size: number,
+  scene: Scene,
+  view: View,
+  look: Look,
+  most = Infinity,
+): void {
   const lens = lensOf(scene, view, look);
   const half = size / 2;
   const x = (p: number[]) => half + (half * lens.scale * p[0]) / (lens.eye - p[2]);
@@ -65,7 +73,7 @@ export function drawPlain(ctx: CanvasRenderingContext2D, size: number, scene: Sc
   for (const [a, b] of boxEdges(scene))
     rod(rotate(view.rotation, ...a), rotate(view.rotation, ...b), "#858f9e", 0.0064 * scene.reach);
   if (look.what !== "grains")
-    for (let k = 0; k < scene.contacts.length; k += PER_CONTACT) {
+    for (let k = Math.max(scene.contacts.length - PER_CONTACT * most, 0); k < scene.contacts.length; k += PER_CONTACT) {
       const c = scene.contacts;
       if (c[k + 6] < look.least) continue;
       const a = rotate(view.rotation, c[k], c[k + 1], c[k + 2]);
@@ -75,7 +83,7 @@ export function drawPlain(ctx: CanvasRenderingContext2D, size: number, scene: Sc
       const [colour, width] = [heat(c[k + 6] / 4), 0.024 + 0.068 * Math.min(c[k + 6], 5)];
       for (const end of [a, b]) rod(end, middle, colour, width, Math.min(end[2], middle[2]) - 0.01); // behind its grain
     }
-  if (look.what !== "forces")
+  if (look.what === "grains" || (look.what === "both" && most === Infinity))
     for (let k = 0; k < scene.strongest.length; ++k) {
       const g = scene.grains.subarray(PER_GRAIN * k, PER_GRAIN * (k + 1));
       const at = rotate(view.rotation, g[0], g[1], g[2]);
