@@ -67,13 +67,14 @@ std::string measure_text(const Study& study, const std::vector<std::vector<const
       }
       const std::string frame = fmt::format("{}{},{},{}", csv_field(study.systems[s].name), varied.of_system[s], f,
                                             systems[s].front()->frames[f].packing_fraction);
-      for (const auto& [at, quantities] : bins) {
+      for (const auto& bin : bins) {
+        const auto& [at, quantities] = bin;
         std::string leading = frame;
         for (const double a : at) leading += fmt::format(",{}", a);
         const auto values = [&](const std::string& column) -> const std::vector<double>& {
           std::size_t q = 0;
           while (measure.columns[abscissae + q].name != column) ++q;
-          return quantities[q];
+          return bin.second[q];
         };
         for (std::size_t q = 0; q < quantities.size(); ++q) {
           const ColumnInfo& column = measure.columns[abscissae + q];

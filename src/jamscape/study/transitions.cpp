@@ -19,9 +19,8 @@ namespace {
 
 using Curves = std::vector<std::vector<double>>;
 
-constexpr double jammed_z = 3;         // S1's criterion
-constexpr double fit_range = 0.05;     // how far from rho_c the fit of the inflection looks ...
-constexpr std::size_t fit_states = 4;  // ... at least, with so many states on either side
+constexpr double jammed_z = 3;      // S1's criterion
+constexpr double fit_range = 0.05;  // how far from rho_c the fit of the inflection looks
 constexpr std::size_t resamples = 200;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
