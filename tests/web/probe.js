@@ -59,6 +59,10 @@
       const at = { clientX: left + 0.6 * width, clientY: top + 0.5 * height };
       map.dispatchEvent(new PointerEvent("pointermove", at));
       if (document.querySelector(".heat .tooltip").hidden) problems.push("a map does not read out");
+      const cuts = () => document.querySelectorAll("#surfaces figure .rho-key span").length;
+      const before = cuts();
+      map.click();
+      if (cuts() === before) problems.push("a click on a map changes no cut");
     }
     setTimeout(report, 400);
   }, 600);

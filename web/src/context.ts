@@ -1,6 +1,6 @@
 // What every section is given, and what the sections share.
-import type { Chart, ChartOptions, Line, Mark } from "./chart";
-import { chart } from "./chart";
+import type { Chart, ChartOptions, Line, Mark } from "./chart/chart";
+import { chart } from "./chart/chart";
 import type { Data, Estimate } from "./data";
 import { jammingOf, jammingSymbol } from "./data";
 import { h } from "./dom";
@@ -32,6 +32,12 @@ export class Context {
   /** The label of a system after its colour. */
   systemTitle(system: number): string {
     return `<i class="swatch" style="background:${systemColour(system)}"></i>${this.labels[system]}`;
+  }
+
+  /** An element of one system, which the legend hides with it. */
+  hideWith<E extends HTMLElement>(system: number, element: E): E {
+    this.state.shown.watch((shown) => element.classList.toggle("off", !shown[system]));
+    return element;
   }
 
   /** A chart that follows the legend. */

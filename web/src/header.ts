@@ -7,7 +7,7 @@ import { plain } from "./numbers";
 import { drawPacking } from "./packing";
 import { drawSpheres } from "./spheres/picture";
 import { START_LOOK, startView } from "./spheres/view";
-import { pick } from "./sections/networks";
+import { pick } from "./frame_choice";
 
 function facts(study: Study): string[] {
   const runs = study.systems.reduce((sum, s) => sum + s.realisations, 0);

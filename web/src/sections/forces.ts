@@ -1,5 +1,5 @@
 // The distribution of contact forces: per system at several packing fractions, and the systems over each other.
-import { chart, type Line } from "../chart";
+import { chart, type Line } from "../chart/chart";
 import type { Context, Section } from "../context";
 import { joinBins, type Binned } from "../bins";
 import { jammingOf, jammingSymbol, type Distribution } from "../data";
@@ -70,9 +70,7 @@ function panels(context: Context, curves: Curve[][], log: boolean): HTMLElement[
     }));
     const title = context.systemTitle(k);
     const { element } = chart({ ...AXIS, title, lines, log, height: 260, yRange: yRange(log, range), sync: "force" });
-    const panel = h("div", "", element, ...(shared ? [] : [rhoKey(rhos, shade)]));
-    context.state.shown.watch((shown) => panel.classList.toggle("off", !shown[k]));
-    return [panel];
+    return [context.hideWith(k, h("div", "", element, ...(shared ? [] : [rhoKey(rhos, shade)])))];
   });
   return [...(shared ? [rhoKey(all, shadeOver(all))] : []), h("div", "grid fit", ...out)];
 }

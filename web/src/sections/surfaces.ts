@@ -1,83 +1,20 @@
 // Quantities of the network of forces above a threshold, over packing fraction and threshold: maps of the systems side
 // by side on one colour scale, and cuts through them.
-import { chart, type Line } from "../chart";
+import { chart, type Line } from "../chart/chart";
 import { RHO, type Context, type Section } from "../context";
 import { grainsOf, jammingOf, jammingSymbol, type Estimate } from "../data";
 import { figure, h, markup } from "../dom";
-import { colourBar, heatMap } from "../heatmap";
+import { colourBar } from "../heat/colour_bar";
+import { heatMap } from "../heat/heatmap";
 import { plain } from "../numbers";
+import { Value } from "../state";
 import { depth, heat, hex } from "../theme";
-
-interface Quantity {
-  column: string;
-  title: string;
-  perGrain: boolean;
-  text: string;
-  formula: string;
-  source: string;
-}
+import { QUANTITIES, type Quantity } from "./surface_quantities";
 
 const THRESHOLD = "threshold <i>F</i><sub>th</sub> / <i>F̄</i>";
 const THRESHOLDS = [0, 0.5, 1, 1.5, 2, 2.5];
 /** How many packing fractions are cut at. */
 const CUTS = 6;
-
-const QUANTITIES: Quantity[] = [
-  {
-    column: "mean_cluster_pooled",
-    title: "⟨<i>S</i>⟩/<i>N</i> <span class=\"what\">mean size of a cluster</span>",
-    perGrain: false,
-    text:
-      "Mean number of grains in a cluster that does not percolate, per grain of the packing. A cluster is what forces " +
-      "above the threshold hold together.",
-    formula: "grains in such clusters / (<i>N</i> × their number), pooled over realisations",
-    source: "S2 Sec. 4.2, Fig. 4.",
-  },
-  {
-    column: "percolating_grains",
-    title: "<i>N</i><sub>per</sub>/<i>N</i> <span class=\"what\">grains in the percolating cluster</span>",
-    perGrain: false,
-    text:
-      "Part of the grains that belong to a cluster which joins two opposite walls (or winds around a periodic box): mean " +
-      "over the realisations that have one. Hatched: fewer than half of them do.",
-    formula: "",
-    source: "S2 Sec. 4.3, Fig. 5.",
-  },
-  {
-    column: "b0",
-    title: "<i>B</i><sub>0</sub>/<i>N</i> <span class=\"what\">clusters per grain</span>",
-    perGrain: true,
-    text: "Number of clusters, the percolating one included, per grain.",
-    formula: "<i>B<sub>k</sub></i>: Betti numbers of the clique complex of all contacts with <i>F</i> > <i>F</i><sub>th</sub>",
-    source: "S2 Sec. 5.1, Figs. 2 and 6.",
-  },
-  {
-    column: "b1",
-    title: "<i>B</i><sub>1</sub>/<i>N</i> <span class=\"what\">loops per grain</span>",
-    perGrain: true,
-    text: "Number of loops of four contacts or more per grain; loops of three touching grains are filled.",
-    formula: "",
-    source: "S2 Sec. 5.1, Fig. 7.",
-  },
-  {
-    column: "b2",
-    title: "<i>B</i><sub>2</sub>/<i>N</i> <span class=\"what\">voids per grain</span>",
-    perGrain: true,
-    text: "Number of voids enclosed by the network per grain, in three dimensions.",
-    formula: "",
-    source: "S2 Sec. 5.1.",
-  },
-  {
-    column: "shape",
-    title: "<i>S<sub>p</sub></i> <span class=\"what\">contacts per grain in a cluster</span>",
-    perGrain: false,
-    text:
-      "Shape of the clusters: an open path has less than 1, a ring 1, an entangled cluster more. Zero where at least half " +
-      "of the realisations have no cluster.",
-    formula: "<i>S<sub>p</sub></i> = ⟨contacts/grains⟩ over the clusters of a realisation, percolating ones included",
-    source: "S2 Sec. 5.2, Figs. 8 and 9.",
-  },
-];
 
 /** One system's surface of one quantity, scaled as it is shown. */
 interface Surface {
@@ -99,54 +36,49 @@ function surfacesOf(context: Context, quantity: Quantity): Surface[] {
   });
 }
 
-function hiddenWithLegend(context: Context, system: number, element: HTMLElement): HTMLElement {
-  context.state.shown.watch((shown) => element.classList.toggle("off", !shown[system]));
-  return element;
-}
-
-function maps(context: Context, surfaces: Surface[], range: [number, number]): HTMLElement {
-  const bar = colourBar(range, "");
-  const panels = surfaces.map((surface) =>
-    hiddenWithLegend(
-      context,
-      surface.system,
-      heatMap({
-        title: context.systemTitle(surface.system),
-        xLabel: RHO,
-        yLabel: THRESHOLD,
-        xName: "<i>ρ</i>",
-        yName: "<i>F</i><sub>th</sub>/<i>F̄</i>",
-        x: surface.rho,
-        y: surface.thresholds,
-        mean: surface.mean,
-        se: surface.se,
-        range,
-        mark: jammingOf(context.data, surface.system),
-        unrelaxed: surface.unrelaxed,
-        pointed: bar.point,
-      }),
-    ),
-  );
-  return h("div", "heat-row", h("div", "grid fit", ...panels), bar.element);
-}
-
 function nearestIndex(values: number[], wanted: number): number {
   return values.reduce((best, v, k) => (Math.abs(v - wanted) < Math.abs(values[best] - wanted) ? k : best), 0);
 }
 
 /** Packing fractions to cut at: spread over those from a little below jamming on. */
-function cutsOf(context: Context, surface: Surface): number[] {
-  const jamming = jammingOf(context.data, surface.system);
-  const from = jamming === null ? 0 : Math.max(surface.rho.findIndex((rho) => rho > jamming - 0.05), 0);
-  const last = surface.rho.length - 1;
+function firstCuts(jamming: number | null, rho: number[]): number[] {
+  const from = jamming === null ? 0 : Math.max(rho.findIndex((v) => v > jamming - 0.05), 0);
+  const last = rho.length - 1;
   const count = Math.min(CUTS, last - from + 1);
-  return Array.from({ length: count }, (_, k) => from + Math.round((k * (last - from)) / Math.max(count - 1, 1)));
+  return Array.from({ length: count }, (_, k) => rho[from + Math.round((k * (last - from)) / Math.max(count - 1, 1))]);
 }
 
-function linesOverRho(surface: Surface): Line[] {
+/** Where all figures are cut: thresholds for all systems, packing fractions for each. */
+class Cuts {
+  readonly thresholds = new Value(THRESHOLDS);
+  readonly rhos: Value<number[]>[];
+
+  constructor(context: Context) {
+    this.rhos = (context.data.surfaces?.systems ?? []).map(
+      ({ rho }, system) => new Value(firstCuts(jammingOf(context.data, system), rho)),
+    );
+  }
+
+  /** Adds a cut, or removes the one that is there; one stays. */
+  static toggle(cuts: Value<number[]>, at: number): void {
+    const others = cuts.get().filter((v) => Math.abs(v - at) > 1e-9);
+    if (others.length === cuts.get().length) cuts.set([...others, at].sort((a, b) => a - b));
+    else if (others.length) cuts.set(others);
+  }
+}
+
+type Over = "rho" | "threshold";
+
+/** A curve, and the threshold or packing fraction it is cut at. */
+interface CutLine extends Line {
+  at: number;
+}
+
+function linesOverRho(surface: Surface, thresholds: number[]): CutLine[] {
   const rows = surface.thresholds.length;
-  const wanted = [...new Set(THRESHOLDS.map((v) => nearestIndex(surface.thresholds, v)))];
+  const wanted = [...new Set(thresholds.map((v) => nearestIndex(surface.thresholds, v)))];
   return wanted.map((j, k) => ({
+    at: surface.thresholds[j],
     label: `<i>F</i><sub>th</sub>/<i>F̄</i> = ${plain(surface.thresholds[j], 3)}`,
     colour: hex(heat(0.2 + (0.8 * k) / Math.max(wanted.length - 1, 1))),
     width: 1.7,
@@ -157,11 +89,13 @@ function linesOverRho(surface: Surface): Line[] {
   }));
 }
 
-function linesOverThreshold(surface: Surface, cuts: number[]): Line[] {
+function linesOverThreshold(surface: Surface, rhos: number[]): CutLine[] {
   const rows = surface.thresholds.length;
-  return cuts.map((i, k) => ({
+  const wanted = [...new Set(rhos.map((v) => nearestIndex(surface.rho, v)))];
+  return wanted.map((i, k) => ({
+    at: surface.rho[i],
     label: `<i>ρ</i> = ${plain(surface.rho[i], 4)}${surface.unrelaxed?.[i] ? " ○" : ""}`,
-    colour: hex(depth((k + 0.4) / cuts.length)),
+    colour: hex(depth((k + 0.4) / wanted.length)),
     width: 1.7,
     points: false,
     x: surface.thresholds,
@@ -170,58 +104,97 @@ function linesOverThreshold(surface: Surface, cuts: number[]): Line[] {
   }));
 }
 
-function key(lines: Line[]): HTMLElement {
+function key(name: string, lines: Line[]): HTMLElement {
   const items = lines.map((line) => {
     const swatch = h("i", "swatch");
     swatch.style.background = line.colour;
     return h("span", "", swatch, markup(line.label.replace(/^.*= /, "")));
   });
-  return h("div", "rho-key", ...items);
+  return h("div", "rho-key", markup(`${name} =`), ...items);
 }
 
-/** A row of panels with cuts; which way, the reader chooses. */
-function cuts(context: Context, surfaces: Surface[], range: [number, number]): HTMLElement[] {
-  const pad = 0.05 * (range[1] - range[0]);
-  const row = (over: "rho" | "threshold") =>
-    surfaces.map((surface) => {
-      const lines = over === "rho" ? linesOverRho(surface) : linesOverThreshold(surface, cutsOf(context, surface));
-      const jamming = jammingOf(context.data, surface.system);
-      const panel = chart({
-        title: context.systemTitle(surface.system),
-        xLabel: over === "rho" ? RHO : THRESHOLD,
-        xName: over === "rho" ? "<i>ρ</i>" : "<i>F</i><sub>th</sub>/<i>F̄</i>",
-        lines,
-        yRange: [range[0], range[1] + pad],
-        height: 220,
-        marks: over === "rho" && jamming !== null ? [{ x: jamming, colour: "#667085", kind: "line" }] : [],
-      }).element;
-      const name = over === "rho" ? "<i>F</i><sub>th</sub>/<i>F̄</i> =" : "<i>ρ</i> =";
-      const legend = key(lines);
-      legend.prepend(markup(name));
-      return hiddenWithLegend(context, surface.system, h("div", "", panel, legend));
+const NAMES = { rho: "<i>ρ</i>", threshold: "<i>F</i><sub>th</sub>/<i>F̄</i>" };
+
+/** The cuts through one surface, drawn anew when the reader chooses others. */
+function cutPanel(context: Context, surface: Surface, cuts: Cuts, over: Over, range: [number, number]): HTMLElement {
+  const jamming = jammingOf(context.data, surface.system);
+  const chosen = over === "rho" ? cuts.thresholds : cuts.rhos[surface.system];
+  const place = h("div");
+  chosen.watch((values) => {
+    const lines = over === "rho" ? linesOverRho(surface, values) : linesOverThreshold(surface, values);
+    const { element } = chart({
+      title: context.systemTitle(surface.system),
+      xLabel: over === "rho" ? RHO : THRESHOLD,
+      xName: NAMES[over],
+      lines,
+      yRange: [range[0], range[1] + 0.05 * (range[1] - range[0])],
+      height: 220,
+      marks: over === "rho" && jamming !== null ? [{ x: jamming, colour: "#667085", kind: "line" }] : [],
     });
+    place.replaceChildren(element, key(NAMES[over === "rho" ? "threshold" : "rho"], lines));
+  });
+  return context.hideWith(surface.system, place);
+}
+
+/** Maps side by side, and a row of cuts below; which way, the reader chooses. */
+function mapsAndCuts(context: Context, surfaces: Surface[], cuts: Cuts, range: [number, number]): HTMLElement[] {
+  const over = new Value<Over>("rho");
+  const bar = colourBar(range);
+  const maps = surfaces.map((surface) => {
+    const map = heatMap({
+      title: context.systemTitle(surface.system),
+      xLabel: RHO,
+      yLabel: THRESHOLD,
+      xName: NAMES.rho,
+      yName: NAMES.threshold,
+      x: surface.rho,
+      y: surface.thresholds,
+      mean: surface.mean,
+      se: surface.se,
+      range,
+      mark: jammingOf(context.data, surface.system),
+      unrelaxed: surface.unrelaxed,
+      pointed: bar.point,
+      clicked: (rho, threshold) =>
+        over.get() === "rho" ? Cuts.toggle(cuts.thresholds, threshold) : Cuts.toggle(cuts.rhos[surface.system], rho),
+    });
+    const show = () => {
+      const along = over.get() === "rho";
+      const values = along ? cuts.thresholds.get() : cuts.rhos[surface.system].get();
+      map.show({ along, lines: along ? linesOverRho(surface, values) : linesOverThreshold(surface, values) });
+    };
+    for (const value of [over, cuts.thresholds, cuts.rhos[surface.system]] as Value<unknown>[]) value.watch(show);
+    return context.hideWith(surface.system, map.element);
+  });
+  const rows: Record<Over, HTMLElement[]> = {
+    rho: surfaces.map((surface) => cutPanel(context, surface, cuts, "rho", range)),
+    threshold: surfaces.map((surface) => cutPanel(context, surface, cuts, "threshold", range)),
+  };
   const place = h("div", "grid fit");
-  const ways: ["rho" | "threshold", string][] = [
+  const ways: [Over, string][] = [
     ["rho", "at thresholds, over packing fraction"],
     ["threshold", "at packing fractions, over threshold"],
   ];
-  const buttons = ways.map(([over, name]) => {
+  const buttons = ways.map(([way, name]) => {
     const button = h("button", "choice", name);
-    button.addEventListener("click", () => show(over));
+    button.addEventListener("click", () => over.set(way));
+    over.watch((now) => button.setAttribute("aria-pressed", String(now === way)));
     return button;
   });
-  const show = (over: "rho" | "threshold") => {
-    place.replaceChildren(...row(over));
-    ways.forEach(([way], k) => buttons[k].setAttribute("aria-pressed", String(way === over)));
-  };
-  show("rho");
-  return [h("div", "chooser cuts", ...buttons), h("div", "heat-row", place, h("div", "colour-bar"))];
+  over.watch((now) => place.replaceChildren(...rows[now]));
+  const hint = markup("click a map to add or remove a cut", "span", "hint");
+  return [
+    h("div", "heat-row", h("div", "grid fit", ...maps), bar.element),
+    h("div", "chooser cuts", ...buttons, hint),
+    h("div", "heat-row", place, h("div", "colour-bar")),
+  ];
 }
 
 export const surfaces: Section = {
   id: "surfaces",
   title: "Clusters and loops of the forces above a threshold",
   build(context) {
+    const cuts = new Cuts(context);
     const out = QUANTITIES.flatMap((quantity) => {
       const all = surfacesOf(context, quantity);
       const values = all.flatMap((s) => s.mean.filter((v): v is number => v !== null));
@@ -230,7 +203,7 @@ export const surfaces: Section = {
       const range: [number, number] = [0, largest];
       const unrelaxed = all.some((s) => s.unrelaxed?.some(Boolean));
       return [
-        figure(quantity.title, [maps(context, all, range), ...cuts(context, all, range)], {
+        figure(quantity.title, mapsAndCuts(context, all, cuts, range), {
           text:
             `${quantity.text} Forces are in units of their mean <i>F̄</i>. All maps share one scale; the dashed line stands at ` +
             `${jammingSymbol(context.data)}.${unrelaxed ? " A circle marks packing fractions at which not all realisations were relaxed." : ""}`,

@@ -1,8 +1,8 @@
-// A quantity over two abscissae as coloured cells: one panel, on a colour scale that panels side by side share.
-import { h, markup } from "./dom";
-import { plain, withError } from "./numbers";
-import { pixelRatio } from "./pixel_ratio";
-import { FONT, INK, MUTED, surface } from "./theme";
+// A quantity over two abscissae as coloured cells, drawn on a canvas.
+import { plain } from "../numbers";
+import { pixelRatio } from "../pixel_ratio";
+import { FONT, INK, MUTED, surface } from "../theme";
+import { ticks } from "./ticks";
 
 export interface HeatMap {
   /** markup */
@@ -23,34 +23,33 @@ export interface HeatMap {
   mark: number | null;
   /** per x, how many realisations were not relaxed */
   unrelaxed?: number[];
+  /** a click on a cell */
+  clicked: (x: number, y: number) => void;
   /** the value under the pointer, for the colour bar; null: none */
   pointed: (value: number | null) => void;
 }
 
-const MARGIN = { left: 34, right: 14, top: 14, bottom: 24 };
-const HEIGHT = 250;
+/** Where the map is cut: along x at values of y, or along y at values of x. */
+export interface Cut {
+  along: boolean;
+  lines: { at: number; colour: string }[];
+}
+
+export const MARGIN = { left: 34, right: 14, top: 14, bottom: 26 };
+export const HEIGHT = 250;
 
 /** Borders of cells half way between their abscissae. */
-export function borders(at: number[]): number[] {
+function borders(at: number[]): number[] {
   if (at.length === 1) return [at[0] - 0.5, at[0] + 0.5];
   const inner = at.slice(1).map((v, k) => (v + at[k]) / 2);
   return [2 * at[0] - inner[0], ...inner, 2 * at[at.length - 1] - inner[inner.length - 1]];
 }
 
-/** Round numbers for an axis, `most` at most. */
-export function ticks(low: number, high: number, most: number): number[] {
-  const rough = (high - low) / most;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 2.5, 5, 10].map((m) => m * power).find((s) => (high - low) / s <= most) ?? 10 * power;
-  const out: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) out.push(k * step);
-  return out;
-}
-
-class Panel {
+export class Panel {
   private readonly xs: number[];
   private readonly ys: number[];
   width = 0;
+  cut: Cut = { along: true, lines: [] };
 
   constructor(private readonly map: HeatMap) {
     this.xs = borders(map.x);
@@ -104,6 +103,7 @@ class Panel {
     ctx.strokeRect(left, top, right - left, bottom - top);
     this.axes(ctx, left, bottom);
     this.marks(ctx, top, bottom);
+    this.cuts(ctx, right, bottom);
     if (pointed) {
       const [i, j] = pointed;
       ctx.strokeStyle = "#fff";
@@ -140,7 +140,7 @@ class Panel {
     ctx.textAlign = "center";
     ctx.textBaseline = "top";
     for (const x of ticks(this.xs[0], this.xs[this.xs.length - 1], Math.max(Math.floor(this.width / 60), 2))) {
-      ctx.fillText(plain(x), this.px(x), bottom + 8);
+      ctx.fillText(plain(x), this.px(x), bottom + 10);
       ctx.beginPath();
       ctx.moveTo(this.px(x), bottom);
       ctx.lineTo(this.px(x), bottom + 5);
@@ -154,6 +154,19 @@ class Panel {
       ctx.moveTo(left - 5, this.py(y));
       ctx.lineTo(left, this.py(y));
       ctx.stroke();
+    }
+  }
+
+  /** A small triangle at the border for each cut, in the colour of its curve. */
+  private cuts(ctx: CanvasRenderingContext2D, right: number, bottom: number): void {
+    for (const { at, colour } of this.cut.lines) {
+      const [x, y] = this.cut.along ? [right + 1, this.py(at)] : [this.px(at), bottom + 1];
+      ctx.fillStyle = colour;
+      ctx.beginPath();
+      ctx.moveTo(x, y);
+      ctx.lineTo(this.cut.along ? x + 7 : x - 4, this.cut.along ? y - 4 : y + 7);
+      ctx.lineTo(this.cut.along ? x + 7 : x + 4, this.cut.along ? y + 4 : y + 7);
+      ctx.fill();
     }
   }
 
@@ -180,101 +193,4 @@ class Panel {
       ctx.stroke();
     });
   }
-}
-
-export function heatMap(map: HeatMap): HTMLElement {
-  const panel = new Panel(map);
-  const canvas = h("canvas");
-  canvas.setAttribute("role", "img");
-  canvas.setAttribute("aria-label", `map of ${map.title.replace(/<[^>]*>/g, "")}`);
-  const box = h("div", "tooltip");
-  box.hidden = true;
-  const plot = h("div", "plot", canvas, box);
-  let pointed: [number, number] | null = null;
-
-  const point = (cell: [number, number] | null) => {
-    if (String(cell) === String(pointed)) return;
-    pointed = cell;
-    panel.draw(canvas, cell);
-    box.hidden = cell === null;
-    if (!cell) return map.pointed(null);
-    const [i, j] = cell;
-    const value = map.mean[i * map.y.length + j];
-    map.pointed(value);
-    const count = map.unrelaxed?.[i];
-    box.innerHTML =
-      `<b>${map.xName} = ${plain(map.x[i])}, ${map.yName} = ${plain(map.y[j], 3)}</b><br>` +
-      (value === null ? "no value" : withError(value, map.se[i * map.y.length + j])) +
-      (count ? `<br><span class="what">${count} not relaxed</span>` : "");
-    const right = panel.px(map.x[i]) > panel.width / 2;
-    box.style.left = right ? "" : `${panel.px(map.x[i]) + 16}px`;
-    box.style.right = right ? `${panel.width - panel.px(map.x[i]) + 16}px` : "";
-    box.style.top = `${Math.min(Math.max(panel.py(map.y[j]) - 24, 4), HEIGHT - 80)}px`;
-  };
-  canvas.addEventListener("pointermove", (event) => {
-    const at = canvas.getBoundingClientRect();
-    point(panel.cellAt(event.clientX - at.left, event.clientY - at.top));
-  });
-  canvas.addEventListener("pointerleave", () => point(null));
-
-  new ResizeObserver(([entry]) => {
-    const width = Math.floor(entry.contentRect.width);
-    if (width < 60 || width === panel.width) return;
-    panel.width = width;
-    requestAnimationFrame(() => panel.draw(canvas, pointed));
-  }).observe(plot);
-  return h(
-    "div",
-    "heat",
-    markup(map.title, "div", "chart-title"),
-    h("div", "heat-body", markup(map.yLabel, "div", "heat-y"), plot),
-    markup(map.xLabel, "div", "chart-x"),
-  );
-}
-
-/** The common scale of panels side by side, upright; `point` marks a value on it. */
-export function colourBar(range: [number, number], title: string): { element: HTMLElement; point: (value: number | null) => void } {
-  const canvas = h("canvas");
-  const [width, height] = [66, HEIGHT];
-  canvas.style.width = `${width}px`;
-  canvas.style.height = `${height}px`;
-  const draw = (value: number | null) => {
-    canvas.width = width * pixelRatio;
-    canvas.height = height * pixelRatio;
-    const ctx = canvas.getContext("2d")!;
-    ctx.scale(pixelRatio, pixelRatio);
-    const [left, right, top, bottom] = [4, 18, MARGIN.top, height - MARGIN.bottom];
-    for (let y = top; y < bottom; y += 0.5) {
-      ctx.fillStyle = surface((bottom - y) / (bottom - top));
-      ctx.fillRect(left, y, right - left, 1);
-    }
-    ctx.strokeStyle = "#98a2b3";
-    ctx.strokeRect(left, top, right - left, bottom - top);
-    const py = (v: number) => bottom - ((v - range[0]) / (range[1] - range[0] || 1)) * (bottom - top);
-    ctx.fillStyle = MUTED;
-    ctx.font = `12px ${FONT}`;
-    ctx.textBaseline = "middle";
-    for (const tick of ticks(range[0], range[1], 6)) {
-      ctx.beginPath();
-      ctx.moveTo(right, py(tick));
-      ctx.lineTo(right + 4, py(tick));
-      ctx.stroke();
-      ctx.fillText(plain(tick), right + 8, py(tick));
-    }
-    if (value === null) return;
-    ctx.fillStyle = INK;
-    ctx.beginPath();
-    ctx.moveTo(left + 1, py(value));
-    ctx.lineTo(left - 4, py(value) - 4);
-    ctx.lineTo(left - 4, py(value) + 4);
-    ctx.fill();
-    ctx.strokeStyle = INK;
-    ctx.lineWidth = 1.5;
-    ctx.beginPath();
-    ctx.moveTo(left, py(value));
-    ctx.lineTo(right, py(value));
-    ctx.stroke();
-  };
-  draw(null);
-  return { element: h("div", "colour-bar", markup(title, "div", "chart-title"), canvas), point: draw };
 }
