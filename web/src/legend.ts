@@ -1,7 +1,7 @@
 // The bar that stays in view: one chip per system, which shows or hides it in all figures, and ready-made choices that
 // vary one option while all others stay the same.
 import type { Context } from "./context";
-import { jammingSymbol, type Study } from "./data";
+import { jammingSymbol, type Study, type System } from "./data";
 import { h, markup } from "./dom";
 import { optionSymbol, optionValue } from "./symbols";
 import type { Abscissa } from "./state";
@@ -12,8 +12,22 @@ interface Group {
   members: boolean[];
 }
 
+/** With more options than these nobody reads what is held fixed. */
+const MOST = 4;
+
+/** Systems of the same dimension and force law, where there are several of them. */
+function kinds(study: Study): Group[] {
+  const keys = ["domain.dimension", "contact.law"].filter((key) => study.swept.includes(key));
+  const kind = (system: System) =>
+    keys.map((key) => (key === "domain.dimension" ? `${system.swept[key]}D` : optionValue(system.swept[key]))).join(" ");
+  const names = [...new Set(study.systems.map(kind))];
+  if (names.length < 2 || names.length === study.systems.length) return [];
+  return names.map((name) => ({ label: name, members: study.systems.map((system) => kind(system) === name) }));
+}
+
 /** For each swept option, the largest set of systems (three at least, or all) that differ in nothing else. */
 function groups(study: Study): Group[] {
+  if (study.swept.length > MOST) return kinds(study);
   if (study.swept.length < 2) return [];
   const out: Group[] = [];
   for (const varied of study.swept) {
@@ -37,9 +51,12 @@ function groups(study: Study): Group[] {
   return out;
 }
 
+/** A bar of more chips than these would cover too much of the screen to stay in view. */
+const MANY = 12;
+
 export function legend(context: Context): HTMLElement {
   const { shown } = context.state;
-  const bar = h("div", "legend");
+  const bar = h("div", context.labels.length > MANY ? "legend many" : "legend");
   const chips = context.labels.map((label, system) => {
     const chip = h("button", "chip", h("i", "swatch"), markup(label));
     (chip.firstChild as HTMLElement).style.background = systemColour(system);

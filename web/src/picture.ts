@@ -44,10 +44,11 @@ function onceAFrame(call: () => void): () => void {
 
 /** A large picture over the page. */
 export function enlarged(context: Context, title: string, draw: Draw, turnable = false): void {
-  const size = Math.min(window.innerWidth, window.innerHeight) - 90;
+  const size = Math.min(window.innerWidth, window.innerHeight) - (turnable ? 120 : 90);
   const canvas = h("canvas", "large");
   canvas.style.width = canvas.style.height = `${size}px`;
   const dialog = h("dialog", "lightbox", markup(title, "div", "picture-title"), canvas);
+  if (turnable) dialog.append(markup("drag to turn, scroll for the size, Esc or a click outside to close", "div", "hint"));
   const redraw = onceAFrame(() => draw(canvas, size, true));
   const stop = turnable ? context.state.view.watch(redraw) : () => {};
   dialog.addEventListener("click", (event) => {

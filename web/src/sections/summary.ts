@@ -81,14 +81,18 @@ function unitsOf(context: Context): string | null {
   const { systems } = context.data.study;
   const known = systems.find((s) => s.scales)?.scales;
   if (!known) return null;
-  const times = systems
-    .map((s, k) => (s.scales ? `${withUnit(s.scales.time, "s")} (${context.labels[k]})` : ""))
-    .filter(Boolean);
-  const same = new Set(systems.map((s) => s.scales?.time)).size === 1;
+  const times = new Map<string, string[]>();
+  systems.forEach((s, k) => {
+    if (!s.scales) return;
+    const time = withUnit(s.scales.time, "s");
+    times.set(time, [...(times.get(time) ?? []), context.labels[k]]);
+  });
+  const few = systems.length <= 6;
+  const listed = [...times].map(([time, names]) => (times.size > 1 && few ? `${time} (${names.join(", ")})` : time));
   return (
     `Results are in units of the mean diameter <i>d</i> = ${withUnit(known.length, "m")}, the mean mass ` +
     `<i>m</i> = ${withUnit(1000 * known.mass, "g")} and the collision time <i>τ</i><sub>c</sub> = ` +
-    `${same ? withUnit(known.time, "s") : times.join(", ")}.`
+    `${listed.join(few ? ", " : " or ")}.`
   );
 }
 

@@ -33,6 +33,11 @@ export function drawAxes(ctx: CanvasRenderingContext2D, size: number, unit: numb
     return { name, way: rotate(view.rotation, unitVector[0], unitVector[1], unitVector[2]) };
   });
   ctx.save();
+  // On a pale ground of their own, so that they can be read before a packing that fills the picture.
+  ctx.fillStyle = "rgba(255,255,255,0.72)";
+  ctx.beginPath();
+  ctx.arc(x0, y0, 38 * unit, 0, 2 * Math.PI);
+  ctx.fill();
   ctx.lineWidth = 1.5 * unit;
   ctx.lineCap = "round";
   ctx.textAlign = "center";
