@@ -152,7 +152,12 @@ double Reader::fraction(const StateName& name, std::size_t system, const Run& ru
 
 double Reader::near(const Side& side, std::size_t system, const Run& run, const StateName& name) {
   const double at = fraction(name, system, run);
-  if (!std::isfinite(at)) return none;
+  if (!std::isfinite(at) || run.empty()) return none;
+  // A curve says nothing about what lies more than a state beyond its ends.
+  const double first = run.front().packing_fraction, last = run.back().packing_fraction;
+  const double below = run.size() > 1 ? run[1].packing_fraction - first : 0,
+               above = run.size() > 1 ? last - run[run.size() - 2].packing_fraction : 0;
+  if (at < first - below - 1e-9 || at > last + above + 1e-9) return none;
   const auto distance = [at](const State& s) { return std::abs(s.packing_fraction - at); };
   const auto state = std::min_element(run.begin(), run.end(),
                                       [&](const State& a, const State& b) { return distance(a) < distance(b); });

@@ -14,8 +14,9 @@
 //
 //   quantity  column of frames.csv, or measure.column: there the rows of a state become one number by `reduce`, over
 //             those whose first abscissa lies in `over`
-//   at        which state of that curve: "0.9", "first", "last", "rho_c", "rho_j-0.04", ... (the nearest), or what the
-//             curve makes of all states, or of those in `between`: "max", "min", "mean"
+//   at        which state of that curve: "0.9", "first", "last", "rho_c", "rho_j-0.04", ... (the nearest, at most
+//             one state beyond the ends), or what the curve makes of all states, or of those in `between`: "max",
+//             "min", "mean"
 //   minus     a state whose value is taken off
 #pragma once
 

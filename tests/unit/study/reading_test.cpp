@@ -97,6 +97,10 @@ TEST_F(Readings, StatesByNumberAndByTransition) {
   EXPECT_NEAR(read("quantity = \"rho_j\""), 0.825, 0.008);
   EXPECT_EQ(read("quantity = \"z\", at = \"rho_j-0.05\""), 0);
   EXPECT_EQ(read("quantity = \"z\", at = \"rho_j+0.05\""), 4);
+  EXPECT_EQ(read("quantity = \"z\", at = \"0.91\""), 4);
+  EXPECT_TRUE(std::isnan(read("quantity = \"z\", at = \"0.95\""))) << "beyond the curve";
+  EXPECT_EQ(problem, "no value at 0.95");
+  EXPECT_TRUE(std::isnan(read("quantity = \"z\", at = \"rho_j-0.2\"")));
   EXPECT_NEAR(read("quantity = \"rho_p\""), 0.835, 1e-12) << "three at .84, one at .82";
   EXPECT_EQ(read("quantity = \"z_above\""), 4);
   EXPECT_EQ(read("quantity = \"z_backbone_above\""), 5);
