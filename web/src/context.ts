@@ -92,6 +92,7 @@ export class Context {
   curves(lines: Line[], options: Omit<ChartOptions, "shown" | "lines" | "xLabel" | "xName">): HTMLElement {
     const place = h("div");
     this.state.abscissa.watch((abscissa) => {
+      if (this.refreshed.has(place) && !place.isConnected) return; // taken off the page meanwhile
       const shift = (system?: number) =>
         abscissa === "rho" || system === undefined ? 0 : (jammingOf(this.data, system) ?? 0);
       const symbol = abscissa === "rho" ? "<i>ρ</i>" : `<i>ρ</i> − ${jammingSymbol(this.data)}`;

@@ -109,8 +109,8 @@ export const summary: Section = {
         ? [
             note(
               "Walls stop before a state is measured, until the kinetic energy hardly fluctuates or is negligible beside the " +
-                "elastic energy. What neither happened to within the budget is not relaxed: the table counts such states, " +
-                "and hollow points (○) mark them in all curves.",
+                "elastic energy. A state that came to neither within its budget is not relaxed: the table counts these, and " +
+                "hollow points (○) mark them in all curves.",
             ),
           ]
         : []),
