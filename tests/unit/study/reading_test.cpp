@@ -124,6 +124,18 @@ TEST_F(Readings, PooledRatiosAndTheAbscissaOfTheirPeak) {
   EXPECT_FALSE(problem.empty()) << "no clusters, no mean";
 }
 
+TEST_F(Readings, RowsOfAStateBecomeOneNumber) {
+  const auto grains = [&](const std::string& how) {
+    return read("quantity = \"level_sets.cluster_fraction\", at = \"last\", reduce = \"" + how + "\"");
+  };
+  EXPECT_NEAR(grains("mean"), 2.5 * 0.02, 1e-12) << "of 1, 3, 2, times 1 + run, whose mean is 2.5";
+  EXPECT_NEAR(grains("max"), 2.5 * 0.03, 1e-12);
+  EXPECT_NEAR(grains("min"), 2.5 * 0.01, 1e-12);
+  EXPECT_NEAR(grains("sd"), 2.5 * 0.01, 1e-12);
+  EXPECT_EQ(grains("argmax"), 1);
+  EXPECT_NEAR(grains("width"), std::sqrt(17.0) / 6, 1e-12) << "weights 1/6, 3/6, 2/6 at 0, 1, 2";
+}
+
 TEST_F(Readings, RealisationsAreAveragedAsTheColumnSays) {
   EXPECT_NEAR(read("quantity = \"level_sets.percolating_grains\", at = \"last\", over = [0, 0]"), 0.8, 1e-12)
       << "three of four";
