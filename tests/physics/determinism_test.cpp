@@ -66,8 +66,8 @@ template <int D>
 std::uint64_t run_with(const Kernels& kernels, const SystemOptions& s) {
   Engine<D> engine(start<D>(s, {5, "bits", 0}), kernels);
   for (std::size_t w = 0; w < engine.walls().size(); ++w)
-    engine.set_wall_velocity(w, engine.walls()[w].high ? -1e-2 : 1e-2);
-  if (engine.walls().empty()) engine.set_box_speed(1e-2);
+    engine.set_wall_velocity(w, engine.walls()[w].high ? -s.stages[0].speed : s.stages[0].speed);
+  if (engine.walls().empty()) engine.set_box_speed(s.stages[0].speed);
   engine.run(timetable(s, {5, "bits", 0}).plan.steps);
   engine.compute_forces();
   const Packing p = engine.record();
