@@ -5,6 +5,7 @@
 //   1] tangential   v_t = v - n (v.n) + (l_i w_i + l_j w_j) x n,   xi += v_t dt,   xi -= n (n.xi)
 //                F* = -s(x) (k_t xi + gamma_t mbar v_t),   cut at |F*| = mu |F_n|, xi then reset so that F* is the cut
 //                force
+//                s(x) stands in all of these, so the limit is applied before it: no division by s, none without sliding
 //   tsuji        is hertz with mbar / x^(1/4) in the dashpots
 //   forces       on i: -F_n n + f_t,  on j the opposite;   torque on i: l_i n x f_t,  on j: l_j n x f_t
 //
@@ -110,13 +111,11 @@ JAM_INLINE auto with_law(NormalLaw law, F&& f) {
   return f.template operator()<NormalLaw::linear>();
 }
 
-/// The normal force alone; mbar is damped_mass().
-template <NormalLaw law, class T>
-JAM_INLINE T normal_force(const PairLaw<T>& c, T x, T mbar, T v_n, T s) {
+/// The normal force alone, before s(x); mbar is damped_mass().
+template <class T>
+JAM_INLINE T normal_force(const PairLaw<T>& c, T x, T mbar, T v_n) {
   const T spring = c.k_n * x, dashpot = c.gamma_n * mbar * v_n;
-  T force = spring - dashpot;
-  if constexpr (law != NormalLaw::linear) force = s * force;
-  force = larger(force, c.floor);
+  const T force = larger(spring - dashpot, c.floor);
   return select(magnitude(dashpot) > c.damping_limit * spring, T(0.0), force);
 }
 
@@ -128,9 +127,10 @@ JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, 
   TouchForce<D, T> out;
   constexpr bool shaped = law != NormalLaw::linear;
   const T s = shape<law>(x), approach = dot(v, n), v_n = -approach, mbar = damped_mass<law>(pair_mass, s);
-  out.normal = normal_force<law>(c, x, mbar, v_n, s);
+  const T bare = normal_force(c, x, mbar, v_n);
   T elastic = c.k_n * x;
-  if constexpr (shaped) elastic = s * elastic;
+  out.normal = bare;
+  if constexpr (shaped) out.normal = s * bare, elastic = s * elastic;
   out.damped = (elastic - out.normal) * v_n;
   out.rubbed = T(0.0);
   if constexpr (!friction) {
@@ -140,17 +140,15 @@ JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, 
       out.tangential = {T(0.0), T(0.0), T(0.0)};
     return out;
   } else {
-    const T cap = c.mu * magnitude(out.normal), damping = c.gamma_t * mbar;
+    const T cap = c.mu * magnitude(bare), damping = c.gamma_t * mbar;
     if constexpr (D == 2) {
       const T v_t = n[0] * v[1] - n[1] * v[0] + lw;
       const T trial = spring + v_t * dt, dashpot = damping * v_t;
-      T wanted = -(c.k_t * trial + dashpot);
-      if constexpr (shaped) wanted = s * wanted;
-      const T force = larger(smaller(wanted, cap), -cap);
-      T unshaped = force;
-      if constexpr (shaped) unshaped = force / s;
+      const T wanted = -(c.k_t * trial + dashpot);
+      T force = larger(smaller(wanted, cap), -cap);
       const auto slides = magnitude(wanted) > cap;
-      spring = select(slides, -(unshaped + dashpot) * c.inverse_k_t, trial);
+      spring = select(slides, -(force + dashpot) * c.inverse_k_t, trial);
+      if constexpr (shaped) force = s * force;
       out.tangential = force;
       if constexpr (shaped) {
         out.rubbed = -(force * v_t) * dt;
@@ -164,17 +162,16 @@ JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, 
       Vec<3, T> trial = spring + dt * v_t;
       trial = trial - dot(n, trial) * n;
       const Vec<3, T> dashpot = damping * v_t;
-      Vec<3, T> wanted = T(-1.0) * (c.k_t * trial + dashpot);
-      if constexpr (shaped) wanted = s * wanted;
-      const T size = square_root(dot(wanted, wanted));
-      const auto slides = size > cap;
-      const Vec<3, T> force = select(slides, cap / size, T(1.0)) * wanted;
-      T to_spring = c.inverse_k_t;
-      if constexpr (shaped) to_spring = to_spring / s;
-      T shaped_damping = T(1.0);
-      if constexpr (shaped) shaped_damping = s;
-      const Vec<3, T> reset = (-to_spring) * (force + shaped_damping * dashpot);
-      for (int k = 0; k < 3; ++k) spring[k] = select(slides, reset[k], trial[k]);
+      Vec<3, T> force = T(-1.0) * (c.k_t * trial + dashpot);
+      spring = trial;
+      const T size2 = dot(force, force);
+      const auto slides = size2 > cap * cap;
+      if (any(slides)) {
+        force = select(slides, cap / square_root(size2), T(1.0)) * force;
+        const Vec<3, T> reset = (-c.inverse_k_t) * (force + dashpot);
+        for (int k = 0; k < 3; ++k) spring[k] = select(slides, reset[k], trial[k]);
+      }
+      if constexpr (shaped) force = s * force;
       out.tangential = force;
       if constexpr (shaped) {
         out.rubbed = -dot(force, v_t) * dt;

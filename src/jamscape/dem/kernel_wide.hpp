@@ -1,8 +1,11 @@
 // The contact loop for vectors of four or eight pairs. Rows of bodies are loaded whole and transposed in registers,
 // forces transposed back and added row by row: no gathers, no scatter conflicts, and the order of sums of the plain
-// loop. In a dense range a vector goes straight through. In a sparse one distances come first; the pairs that touch are
-// collected, in order, and go through eight at a time. Included by one file per vector width.
+// loop. In a dense range three vectors are on their way at a time, one in each stage: relative motion, law, sums; they
+// do not wait for each other. In a sparse range the pairs that touch are collected, in order, and go through eight at a
+// time. Included by one file per vector width.
 #pragma once
+
+#include <new>
 
 #include "jamscape/dem/integrate_body.hpp"
 #include "jamscape/dem/kernel.hpp"
@@ -48,39 +51,62 @@ struct Geometry {
   Mask touching;
 };
 
-/// What the forces need to know of the geometry.
+/// Components of a spin, spring or torque.
+template <int D>
+inline constexpr int axes = D == 2 ? 1 : 3;
+
+template <int D>
+JAM_INLINE Lanes& component(Axial<D, Lanes>& a, int e) {
+  if constexpr (D == 2)
+    return a;
+  else
+    return a[e];
+}
+template <int D>
+JAM_INLINE const Lanes& component(const Axial<D, Lanes>& a, int e) {
+  if constexpr (D == 2)
+    return a;
+  else
+    return a[e];
+}
+
+/// What the law needs to know of a pair.
 template <int D>
 struct Touch {
   Vec<D, Lanes> n;
-  Lanes x, r, radius_i, radius_j;
+  Lanes x, r, lever_i, lever_j;
+  Vec<D, Lanes> v;       ///< v_i - v_j
+  Axial<D, Lanes> lw{};  ///< l_i w_i + l_j w_j
   Mask touching;
 };
 
-template <int D>
-JAM_INLINE Touch<D> to_touch(const Geometry<D>& g) {
-  const Lanes r = square_root(g.r2);
-  return {(Lanes(1.0) / r) * g.d, g.reach - r, r, g.radius_i, g.radius_j, g.touching};
+template <int D, bool friction>
+JAM_INLINE Touch<D> to_touch(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at,
+                             const Geometry<D>& g) {
+  using R = Row<D>;
+  Touch<D> t;
+  t.r = square_root(g.r2);
+  t.n = (Lanes(1.0) / t.r) * g.d;
+  t.x = g.reach - t.r;
+  t.lever_i = g.radius_i - c.lever_cut * t.x, t.lever_j = g.radius_j - c.lever_cut * t.x;
+  t.touching = g.touching;
+  const Columns va = load_rows(p.rows + R::velocity, at.i, R::stride),
+                vb = load_rows(p.rows + R::velocity, at.j, R::stride);
+  for (int e = 0; e < D; ++e) t.v[e] = va.c[e] - vb.c[e];
+  if constexpr (friction && D == 2) {
+    t.lw = t.lever_i * va.c[2] + t.lever_j * vb.c[2];
+  } else if constexpr (friction) {
+    const Columns wa = load_rows(p.rows + R::spin, at.i, R::stride), wb = load_rows(p.rows + R::spin, at.j, R::stride);
+    for (int e = 0; e < 3; ++e) t.lw[e] = t.lever_i * wa.c[e] + t.lever_j * wb.c[e];
+  }
+  return t;
 }
 
-/// Touches on their way from the first pass over a chunk to the second.
+/// Force on i and torques on both, zero where nothing touches.
 template <int D>
-struct alignas(64) Staged {
-  static constexpr std::size_t pairs = 16 * block;
-  double n[D][pairs], x[pairs], r[pairs], radius_i[pairs], radius_j[pairs];
-  std::uint8_t touching[pairs / width];
-
-  JAM_INLINE void put(std::size_t k, const Touch<D>& t) {
-    for (int e = 0; e < D; ++e) t.n[e].store(n[e] + k);
-    t.x.store(x + k), t.r.store(r + k), t.radius_i.store(radius_i + k), t.radius_j.store(radius_j + k);
-  }
-  JAM_INLINE Touch<D> get(std::size_t k) const {
-    Touch<D> t;
-    for (int e = 0; e < D; ++e) t.n[e] = Lanes::load(n[e] + k);
-    t.x = Lanes::load(x + k), t.r = Lanes::load(r + k);
-    t.radius_i = Lanes::load(radius_i + k), t.radius_j = Lanes::load(radius_j + k);
-    t.touching = lanes_of(touching[k / width]);
-    return t;
-  }
+struct Push {
+  Vec<D, Lanes> force;
+  Axial<D, Lanes> turn_i{}, turn_j{};
 };
 
 template <int D, bool shifted>
@@ -120,88 +146,74 @@ JAM_INLINE void erase_parted(const PairLaw<Lanes>& c, Mask touching, double* sto
     for (int e = 0; e < 3; ++e) select_or_zero(touching, spring[e]).store(stored + static_cast<std::size_t>(e) * block);
 }
 
-template <int D>
-JAM_INLINE void add_forces(const PairArrays& p, const PairPointers& at, const Columns& on_i, const Columns& on_j,
-                           std::size_t offset) {
-  const Rows a = to_rows(on_i), b = to_rows(on_j);
-  for (std::size_t l = 0; l < width; ++l) {
-    add_to(p.forces + at.i[l] * Row<D>::force_stride + offset, a.row[l]);
-    add_to(p.forces + at.j[l] * Row<D>::force_stride + offset, b.row[l]);
+template <int D, bool friction>
+JAM_INLINE void add_push(const PairArrays& p, const PairPointers& at, const Push<D>& f) {
+  using R = Row<D>;
+  const Lanes zero(0.0);
+  if constexpr (D == 2) {
+    const Rows on_i = to_rows({{f.force[0], f.force[1], f.turn_i, zero}}),
+               on_j = to_rows({{-f.force[0], -f.force[1], f.turn_j, zero}});
+    for (std::size_t l = 0; l < width; ++l) {
+      add_to(p.forces + at.i[l] * R::force_stride, on_i.row[l]);
+      add_to(p.forces + at.j[l] * R::force_stride, on_j.row[l]);
+    }
+  } else {
+    // force and torque of a body side by side: one sum of eight doubles
+    const Turned force = turned({{f.force[0], f.force[1], f.force[2], zero}}), back = -force;
+    Turned turn_i = turned({{zero, zero, zero, zero}}), turn_j = turn_i;
+    if constexpr (friction) {
+      turn_i = turned({{f.turn_i[0], f.turn_i[1], f.turn_i[2], zero}});
+      turn_j = turned({{f.turn_j[0], f.turn_j[1], f.turn_j[2], zero}});
+    }
+    for (std::size_t l = 0; l < width; ++l) {
+      add_two_to(p.forces + at.i[l] * R::force_stride, force, turn_i, l);
+      add_two_to(p.forces + at.j[l] * R::force_stride, back, turn_j, l);
+    }
   }
 }
 
-/// Forces of the touching pairs of one vector, whose springs are advanced.
+/// The law for the pairs of one vector; the springs of those that touch are advanced.
 template <int D, NormalLaw law, bool friction>
-JAM_INLINE void forces(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at, const Touch<D>& g,
-                       WideTally& tally, std::size_t q) {
-  using R = Row<D>;
-  const Lanes zero(0.0);
-  const Mask touching = g.touching;
-  const Columns va = load_rows(p.rows + R::velocity, at.i, R::stride),
-                vb = load_rows(p.rows + R::velocity, at.j, R::stride);
-  Vec<D, Lanes> v;
-  for (int e = 0; e < D; ++e) v[e] = va.c[e] - vb.c[e];
-  const Lanes r = g.r, x = g.x;
-  const Vec<D, Lanes>& n = g.n;
-  const Lanes lever_i = g.radius_i - c.lever_cut * x, lever_j = g.radius_j - c.lever_cut * x;
-  Axial<D, Lanes> spring, lw;
-  if constexpr (friction) {
-    spring = load_springs<D>(at.springs);
-    if constexpr (D == 2) {
-      lw = lever_i * va.c[2] + lever_j * vb.c[2];
-    } else {
-      const Columns wa = load_rows(p.rows + R::spin, at.i, R::stride),
-                    wb = load_rows(p.rows + R::spin, at.j, R::stride);
-      for (int e = 0; e < 3; ++e) lw[e] = lever_i * wa.c[e] + lever_j * wb.c[e];
-    }
-  } else if constexpr (D == 2) {
-    spring = lw = zero;
-  } else {
-    spring = lw = {zero, zero, zero};
-  }
-  const auto f = touch<D, law, friction>(c, n, x, Lanes::load(at.mbar), v, lw, spring, Lanes(p.dt));
-  tally.damped[q] = tally.damped[q] + select_or_zero(touching, f.damped);
-  tally.virial[q] = tally.virial[q] + select_or_zero(touching, f.normal * r);
-  tally.deepest[q] = larger(tally.deepest[q], x);
+JAM_INLINE Push<D> push_of(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at, const Touch<D>& t,
+                           WideTally& tally, std::size_t q) {
+  Axial<D, Lanes> spring{};
+  if constexpr (friction) spring = load_springs<D>(at.springs);
+  const auto f = touch<D, law, friction>(c, t.n, t.x, Lanes::load(at.mbar), t.v, t.lw, spring, Lanes(p.dt));
+  tally.damped[q] = tally.damped[q] + select_or_zero(t.touching, f.damped);
+  tally.virial[q] = tally.virial[q] + select_or_zero(t.touching, f.normal * t.r);
+  tally.deepest[q] = larger(tally.deepest[q], t.x);
 
   const Lanes push = -f.normal;
+  Push<D> out;
   if constexpr (!friction) {
-    Columns on_i, on_j;
-    for (int e = 0; e < 4; ++e) {
-      on_i.c[e] = e < D ? select_or_zero(touching, push * n[e]) : zero;
-      on_j.c[e] = e < D ? -on_i.c[e] : zero;
-    }
-    add_forces<D>(p, at, on_i, on_j, 0);
-  } else if constexpr (D == 2) {
-    tally.rubbed[q] = tally.rubbed[q] + select_or_zero(touching, f.rubbed);
-    select(touching, spring, Lanes::load(at.springs)).store(at.springs);
-    const Lanes fx = select_or_zero(touching, push * n[0] - f.tangential * n[1]);
-    const Lanes fy = select_or_zero(touching, push * n[1] + f.tangential * n[0]);
-    const Lanes ft = select_or_zero(touching, f.tangential);
-    add_forces<D>(p, at, {{fx, fy, lever_i * ft, zero}}, {{-fx, -fy, lever_j * ft, zero}}, 0);
+    for (int e = 0; e < D; ++e) out.force[e] = select_or_zero(t.touching, push * t.n[e]);
   } else {
-    tally.rubbed[q] = tally.rubbed[q] + select_or_zero(touching, f.rubbed);
-    const Vec<3, Lanes> total = push * n + f.tangential, twist = cross(n, f.tangential);
-    Columns on_i, on_j, turn_i, turn_j;
-    for (int e = 0; e < 3; ++e) {
+    tally.rubbed[q] = tally.rubbed[q] + select_or_zero(t.touching, f.rubbed);
+    for (int e = 0; e < axes<D>; ++e) {
       double* stored = at.springs + static_cast<std::size_t>(e) * block;
-      select(touching, spring[e], Lanes::load(stored)).store(stored);
-      on_i.c[e] = select_or_zero(touching, total[e]);
-      on_j.c[e] = -on_i.c[e];
-      const Lanes t = select_or_zero(touching, twist[e]);
-      turn_i.c[e] = lever_i * t;
-      turn_j.c[e] = lever_j * t;
+      select(t.touching, component<D>(spring, e), Lanes::load(stored)).store(stored);
     }
-    on_i.c[3] = on_j.c[3] = turn_i.c[3] = turn_j.c[3] = zero;
-    add_forces<D>(p, at, on_i, on_j, 0);
-    add_forces<D>(p, at, turn_i, turn_j, 4);
+    if constexpr (D == 2) {
+      out.force[0] = select_or_zero(t.touching, push * t.n[0] - f.tangential * t.n[1]);
+      out.force[1] = select_or_zero(t.touching, push * t.n[1] + f.tangential * t.n[0]);
+      const Lanes along = select_or_zero(t.touching, f.tangential);
+      out.turn_i = t.lever_i * along, out.turn_j = t.lever_j * along;
+    } else {
+      const Vec<3, Lanes> total = push * t.n + f.tangential, twist = cross(t.n, f.tangential);
+      for (int e = 0; e < 3; ++e) {
+        out.force[e] = select_or_zero(t.touching, total[e]);
+        const Lanes turn = select_or_zero(t.touching, twist[e]);
+        out.turn_i[e] = t.lever_i * turn, out.turn_j[e] = t.lever_j * turn;
+      }
+    }
   }
+  return out;
 }
 
 /// Touching pairs on their way into a block of their own.
 template <int D>
 struct alignas(64) Collected {
-  static constexpr std::size_t components = D == 2 ? 1 : 3;
+  static constexpr std::size_t components = axes<D>;
   double springs[components * block], mbar[block];
   double* home[block];  ///< of the springs
   std::uint32_t i[block], j[block], shift[block];
@@ -227,9 +239,9 @@ void flush(const PairArrays& p, const PairLaw<Lanes>& c, Collected<D>& pending, 
   for (std::size_t q = 0; q < parts && q * width < count; ++q) {
     const PairPointers at{pending.i + q * width, pending.j + q * width, pending.shift + q * width,
                           pending.mbar + q * width, pending.springs + q * width};
-    Touch<D> g = to_touch(distances<D, shifted>(p, at));
+    Touch<D> g = to_touch<D, friction>(p, c, at, distances<D, shifted>(p, at));
     g.touching = first_lanes(static_cast<int>(count - q * width));
-    forces<D, law, friction>(p, c, at, g, tally, q);
+    add_push<D, friction>(p, at, push_of<D, law, friction>(p, c, at, g, tally, q));
   }
   if constexpr (friction)
     for (std::size_t k = 0; k < count; ++k)
@@ -244,23 +256,34 @@ JAM_INLINE PairPointers pointers(const PairArrays& p, std::size_t k) {
           p.springs + (D == 2 ? k : k / block * 3 * block + k % block)};
 }
 
+/// A vector between two stages.
+template <int D>
+struct Underway {
+  Touch<D> touch;
+  Push<D> push;
+  bool any;
+};
+
 template <int D, NormalLaw law, bool friction, bool shifted>
-void dense_loop(const PairArrays& p, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
-  Staged<D> staged;
-  for (std::size_t first = range.begin; first < range.end; first += staged.pairs) {
-    const std::size_t count = range.end - first < staged.pairs ? range.end - first : staged.pairs;
-    for (std::size_t k = 0; k < count; k += width) {
-      const PairPointers at = pointers<D, shifted>(p, first + k);
+void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
+  const PairArrays p = arrays;  // pointers that no store can change
+  Underway<D> slots[4];
+  const auto slot = [&](std::size_t k) -> Underway<D>& { return slots[k / width % 4]; };
+  for (std::size_t k = range.begin; k < range.end + 2 * width; k += width) {
+    if (k < range.end) {
+      const PairPointers at = pointers<D, shifted>(p, k);
       const Geometry<D> g = distances<D, shifted>(p, at);
       const std::uint32_t bits = lane_bits(g.touching);
-      staged.touching[k / width] = static_cast<std::uint8_t>(bits);
-      staged.put(k, to_touch(g));
+      slot(k).any = bits != 0;
+      new (&slot(k).touch) Touch<D>(to_touch<D, friction>(p, c, at, g));  // in place: these are large
       if constexpr (friction)
         if (bits != (1u << width) - 1) erase_parted<D, law>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
     }
-    for (std::size_t k = 0; k < count; k += width)
-      if (staged.touching[k / width])
-        forces<D, law, friction>(p, c, pointers<D, shifted>(p, first + k), staged.get(k), tally, k / width % parts);
+    if (const std::size_t m = k - width; k > range.begin && m < range.end && slot(m).any)
+      new (&slot(m).push)
+          Push<D>(push_of<D, law, friction>(p, c, pointers<D, shifted>(p, m), slot(m).touch, tally, m / width % parts));
+    if (const std::size_t m = k - 2 * width; k > range.begin + width && slot(m).any)
+      add_push<D, friction>(p, pointers<D, shifted>(p, m), slot(m).push);
   }
 }
 

@@ -17,6 +17,7 @@ struct Mask {
   hn::Mask<Tag> m;
 };
 JAM_INLINE bool none(Mask a) { return hn::AllFalse(Tag(), a.m); }
+JAM_INLINE bool any(Mask a) { return !none(a); }
 /// The lanes below n.
 JAM_INLINE Mask first_lanes(int n) { return {hn::FirstN(Tag(), static_cast<std::size_t>(n))}; }
 /// The lanes whose bits are set: the inverse of lane_bits.
@@ -85,6 +86,25 @@ JAM_INLINE Columns load_rows(const double* base, const std::uint32_t* index, std
            hn::OddEvenBlocks(ce13, hn::SwapAdjacentBlocks(ab13))}};
 }
 
+/// Columns turned into rows: part l holds row l and (for eight lanes) row l + 4 side by side.
+template <class T = Tag>
+struct TurnedRows {
+  hn::Vec<T> part[4];
+};
+using Turned = TurnedRows<>;
+JAM_INLINE Turned operator-(const Turned& a) {
+  return {{hn::Neg(a.part[0]), hn::Neg(a.part[1]), hn::Neg(a.part[2]), hn::Neg(a.part[3])}};
+}
+JAM_INLINE Turned turned(const Columns& x) {
+  const Tag d;
+  const auto p_even = hn::InterleaveLower(d, x.c[0].v, x.c[1].v), p_odd = hn::InterleaveUpper(d, x.c[0].v, x.c[1].v);
+  const auto q_even = hn::InterleaveLower(d, x.c[2].v, x.c[3].v), q_odd = hn::InterleaveUpper(d, x.c[2].v, x.c[3].v);
+  return {{hn::OddEvenBlocks(hn::SwapAdjacentBlocks(q_even), p_even),
+           hn::OddEvenBlocks(hn::SwapAdjacentBlocks(q_odd), p_odd),
+           hn::OddEvenBlocks(q_even, hn::SwapAdjacentBlocks(p_even)),
+           hn::OddEvenBlocks(q_odd, hn::SwapAdjacentBlocks(p_odd))}};
+}
+
 /// The inverse of load_rows in registers: rows of four doubles, in the order of the lanes.
 struct Rows {
   hn::Vec<Tag4> row[8];
@@ -92,25 +112,34 @@ struct Rows {
 template <class T = Tag>
 JAM_INLINE Rows to_rows(const Columns& x) {
   const T d;
-  const auto p_even = hn::InterleaveLower(d, x.c[0].v, x.c[1].v), p_odd = hn::InterleaveUpper(d, x.c[0].v, x.c[1].v);
-  const auto q_even = hn::InterleaveLower(d, x.c[2].v, x.c[3].v), q_odd = hn::InterleaveUpper(d, x.c[2].v, x.c[3].v);
-  const auto r0 = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(q_even), p_even);  // rows 0 and 4
-  const auto r1 = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(q_odd), p_odd);
-  const auto r2 = hn::OddEvenBlocks(q_even, hn::SwapAdjacentBlocks(p_even));
-  const auto r3 = hn::OddEvenBlocks(q_odd, hn::SwapAdjacentBlocks(p_odd));
+  const TurnedRows<T> r = turned(x);
   Rows out;
-  if constexpr (hn::MaxLanes(d) == 8) {
-    const hn::Half<T> h;
-    out.row[0] = hn::LowerHalf(h, r0), out.row[1] = hn::LowerHalf(h, r1);
-    out.row[2] = hn::LowerHalf(h, r2), out.row[3] = hn::LowerHalf(h, r3);
-    out.row[4] = hn::UpperHalf(h, r0), out.row[5] = hn::UpperHalf(h, r1);
-    out.row[6] = hn::UpperHalf(h, r2), out.row[7] = hn::UpperHalf(h, r3);
-  } else {
-    out.row[0] = r0, out.row[1] = r1, out.row[2] = r2, out.row[3] = r3;
+  for (int l = 0; l < 4; ++l) {
+    if constexpr (hn::MaxLanes(d) == 8) {
+      const hn::Half<T> h;
+      out.row[l] = hn::LowerHalf(h, r.part[l]);
+      out.row[l + 4] = hn::UpperHalf(h, r.part[l]);
+    } else {
+      out.row[l] = r.part[l];
+    }
   }
   return out;
 }
 
 JAM_INLINE void add_to(double* p, hn::Vec<Tag4> row) { hn::Store(hn::Add(hn::Load(Tag4(), p), row), Tag4(), p); }
+
+/// Adds row l of `a` and, behind it, row l of `b`.
+template <class T>
+JAM_INLINE void add_two_to(double* p, const TurnedRows<T>& a, const TurnedRows<T>& b, std::size_t l) {
+  const T d;
+  if constexpr (hn::MaxLanes(d) == 8) {
+    const auto row = l < 4 ? hn::ConcatLowerLower(d, b.part[l % 4], a.part[l % 4])
+                           : hn::ConcatUpperUpper(d, b.part[l % 4], a.part[l % 4]);
+    hn::Store(hn::Add(hn::Load(d, p), row), d, p);
+  } else {
+    add_to(p, a.part[l]);
+    add_to(p + 4, b.part[l]);
+  }
+}
 
 }  // namespace jam::HWY_NAMESPACE

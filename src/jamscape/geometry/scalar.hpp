@@ -13,6 +13,8 @@ JAM_INLINE double square_root(double a) { return __builtin_sqrt(a); }
 JAM_INLINE double magnitude(double a) { return __builtin_fabs(a); }
 JAM_INLINE double smaller(double a, double b) { return a < b ? a : b; }
 JAM_INLINE double larger(double a, double b) { return a > b ? a : b; }
+/// Whether a condition holds for any of the numbers side by side.
+JAM_INLINE bool any(bool condition) { return condition; }
 /// a where the condition holds, else b.
 JAM_INLINE double select(bool condition, double a, double b) { return condition ? a : b; }
 

@@ -161,7 +161,7 @@ class Run {
     Archive archive;
     engine_.save(archive);
     archive["protocol/system"] = key_.system;
-    archive["protocol/counters"] = std::vector<std::int64_t>{physics_revision,
+    archive["protocol/counters"] = std::vector<std::int64_t>{physics_revision(system_),
                                                              static_cast<std::int64_t>(key_.seed),
                                                              static_cast<std::int64_t>(key_.realisation),
                                                              static_cast<std::int64_t>(next_frame_),
@@ -179,7 +179,7 @@ class Run {
     const auto* n = read("protocol/counters", static_cast<const std::vector<std::int64_t>*>(nullptr));
     const auto* s = read("protocol/system", static_cast<const std::string*>(nullptr));
     const auto* r = read("protocol/relaxation", static_cast<const std::vector<double>*>(nullptr));
-    if (!n || n->size() != 6 || !s || !r || *s != key_.system || (*n)[0] != physics_revision ||
+    if (!n || n->size() != 6 || !s || !r || *s != key_.system || (*n)[0] != physics_revision(system_) ||
         (*n)[1] != static_cast<std::int64_t>(key_.seed) || (*n)[2] != static_cast<std::int64_t>(key_.realisation) ||
         (*n)[4] < 0 || static_cast<std::size_t>((*n)[4]) >= table_.legs.size())
       throw data_error("the checkpoint belongs to another task or another version of the physics", {},
@@ -202,6 +202,10 @@ class Run {
 };
 
 }  // namespace
+
+int physics_revision(const SystemOptions& system) {
+  return system.contact.law == NormalLaw::linear && system.domain.dimension == 2 ? 1 : 2;
+}
 
 Outcome simulate(const SystemOptions& system, const TaskKey& key, const Hooks& hooks, const Archive* from) {
   const FlushToZero guard;

@@ -13,8 +13,10 @@
 
 namespace jam {
 
-/// Raised whenever a change of the code changes the bits of a simulation; part of a task's hash.
-inline constexpr int physics_revision = 1;
+/// Raised whenever a change of the code changes the bits of a simulation of this kind; part of a task's hash.
+///   1   linear law, two dimensions
+///   2   everything else, since the Coulomb limit is compared in squares and before the factor x^(1/2)
+int physics_revision(const SystemOptions& system);
 
 /// What names the random numbers of one simulation.
 struct TaskKey {

@@ -43,7 +43,7 @@ TaskKey task_key(const SystemOptions& system, std::uint64_t seed, std::uint64_t 
 
 std::string task_hash(const SystemOptions& system, std::uint64_t seed, std::uint64_t realisation) {
   return short_hash(fmt::format("jamscape task\nphysics_revision = {}\nseed = {}\nrealisation = {}\n{}",
-                                physics_revision, seed, realisation, physics_text(system)));
+                                physics_revision(system), seed, realisation, physics_text(system)));
 }
 
 }  // namespace jam

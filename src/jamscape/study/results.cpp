@@ -75,10 +75,9 @@ void check_results(const fs::path& results, const Study& study) {
 void write_study(const fs::path& results, const Study& study) {
   make_folder(results);
   const FileLock lock = FileLock::lock(results / "lock.study");
-  write_text(
-      results / "study.toml",
-      print_study(study) + fmt::format("\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\n",
-                                       print_text(program_version()), print_text(program_commit()), physics_revision));
+  write_text(results / "study.toml",
+             print_study(study) + fmt::format("\n[program]\nversion = {}\ncommit = {}\n", print_text(program_version()),
+                                              print_text(program_commit())));
 }
 
 void write_results_study(const fs::path& results, const Study& study) {

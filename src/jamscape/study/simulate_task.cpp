@@ -80,13 +80,14 @@ Outcome simulate_from(const Study& study, const Task& task, const TaskFolder& fo
 void assemble(const Study& study, const Task& task, const TaskFolder& folder) {
   std::vector<fs::path> files;
   for (std::size_t k = 0; k < task.plan.frames.size(); ++k) files.push_back(folder.frame(k));
-  const Provenance provenance{task_text(study, task),
-                              std::string(program_version()),
-                              {{"commit", std::string(program_commit())},
-                               {"hash", task.hash},
-                               {"physics_revision", fmt::format("{}", physics_revision)},
-                               {"realisation", fmt::format("{}", task.realisation)},
-                               {"seed", fmt::format("{}", task.key.seed)}}};
+  const Provenance provenance{
+      task_text(study, task),
+      std::string(program_version()),
+      {{"commit", std::string(program_commit())},
+       {"hash", task.hash},
+       {"physics_revision", fmt::format("{}", physics_revision(study.systems[task.system].options))},
+       {"realisation", fmt::format("{}", task.realisation)},
+       {"seed", fmt::format("{}", task.key.seed)}}};
   assemble_run(files, folder.run_file(), provenance);
 }
 
@@ -129,8 +130,8 @@ std::string task_text(const Study& study, const Task& task) {
   return print_study(one) +
          fmt::format(
              "\n[program]\nversion = {}\ncommit = {}\nphysics_revision = {}\nphysics_key = {}\nrealisation = {}\n",
-             print_text(program_version()), print_text(program_commit()), physics_revision, print_text(task.key.system),
-             task.realisation);
+             print_text(program_version()), print_text(program_commit()), physics_revision(one.base),
+             print_text(task.key.system), task.realisation);
 }
 
 Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks) {
