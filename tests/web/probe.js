@@ -38,6 +38,14 @@
     document.body.append(line);
   };
 
+  // Charts draw themselves in animation frames, which a busy machine may leave waiting: count until nothing more comes.
+  const settle = (drawn, calm) => {
+    const now = document.querySelectorAll(".uplot, canvas").length;
+    const still = now === drawn ? calm + 1 : 0;
+    if (still > 4) report();
+    else setTimeout(() => settle(now, still), 200);
+  };
+
   // Clicks through the legend and the packing fractions first: what they redraw must not fail either.
   setTimeout(() => {
     for (const button of document.querySelectorAll(".chip, .choice:not(.play)")) button.click();
@@ -64,6 +72,6 @@
       map.click();
       if (cuts() === before) problems.push("a click on a map changes no cut");
     }
-    setTimeout(report, 400);
+    settle(-1, 0);
   }, 600);
 })();

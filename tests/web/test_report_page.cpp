@@ -63,7 +63,7 @@ class ReportPage : public testing::Test {
         "'" + browser_ + "' --headless=new --no-sandbox --disable-gpu --hide-scrollbars --window-size=1400,1000 " +
         graphics +
         " --disable-background-networking --host-resolver-rules='MAP * ~NOTFOUND' --proxy-server=127.0.0.1:9" +
-        " --user-data-dir='" + (folder_ / "profile").string() + "' --enable-logging=stderr --virtual-time-budget=8000" +
+        " --user-data-dir='" + (folder_ / "profile").string() + "' --enable-logging=stderr --virtual-time-budget=20000" +
         " --dump-dom 'file://" + (folder_ / "probed.html").string() + "' 2>'" + log.string() + "'");
     console_.clear();
     const std::string all = read_text(log);
