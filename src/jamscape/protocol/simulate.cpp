@@ -134,8 +134,8 @@ class Run {
   }
 
   /// Throws Diverged where the integrator makes energy: long before grains fly apart, and where they never do because
-  /// friction caps the forces that a dashpot too stiff for the time step feeds back. Hertz laws only: runs of S1 with
-  /// the linear law drift too, for a reason not found yet (theory sec. 2.5), and are left to the column ledger_sum.
+  /// friction caps the forces that a dashpot too stiff for the time step feeds back. Hertz laws only: dense frictional
+  /// runs of S1 with Gear drift too (theory sec. 2.5) and are left to the column ledger_sum.
   void check_ledger(const EnergyLedger& e) const {
     if (system_.contact.law == NormalLaw::linear) return;
     const double made = std::abs(e.sum() - start_energy_);
