@@ -63,19 +63,9 @@ TEST(HeadOn, restitution_at_the_time_step_of_the_studies) {
 
 TEST(HeadOn, half_an_undamped_period_lasts_one_time_unit) {
   Engine<2> engine(head_on<2>(s1_law(1.0, 0), 0.05, 1e-4, Scheme::verlet));
-  double first = -1, last = -1, deepest = 0;
-  for (int k = 0; k < 30000; ++k) {
-    engine.compute_forces();
-    const Packing p = engine.record();
-    if (!p.contacts.i.empty()) {
-      if (first < 0) first = engine.time();
-      last = engine.time();
-      deepest = std::max(deepest, p.contacts.overlap[0]);
-    }
-    engine.advance();
-  }
-  EXPECT_NEAR(last - first, 1.0, 5e-4);
-  EXPECT_NEAR(deepest, 0.05 / std::numbers::pi, 1e-5);  // v sqrt(mbar/k) = v / pi
+  const scenes::Impact impact = scenes::watch(engine, 30000);
+  EXPECT_NEAR(impact.last - impact.first, 1.0, 5e-4);
+  EXPECT_NEAR(impact.deepest, 0.05 / std::numbers::pi, 1e-5);  // v sqrt(mbar/k) = v / pi
 }
 
 // Chung & Ooi test 4 in 2D: a disc hits a plane that slides throughout. v_x' = v_x - mu (1 + e) v_n,

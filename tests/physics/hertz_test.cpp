@@ -76,22 +76,12 @@ TEST(HertzHeadOn, peak_overlap_force_and_duration_of_an_elastic_collision) {
   EngineSetup<3> setup = head_on<3>(hertz(1, 0), slow, 1e-4, Scheme::verlet, slow * 1e-3);
   setup.kind = NormalLaw::hertz;
   Engine<3> engine(setup);
-  double deepest = 0, strongest = 0, first = -1, last = -1;
-  for (int k = 0; k < 13000; ++k) {
-    engine.compute_forces();
-    const Packing p = engine.record();
-    if (!p.contacts.i.empty()) {
-      if (first < 0) first = engine.time();
-      last = engine.time();
-      deepest = std::max(deepest, p.contacts.overlap[0]);
-      strongest = std::max(strongest, p.contacts.normal_force[0]);
-    }
-    engine.advance();
-  }
+  const scenes::Impact impact = scenes::watch(engine, 13000);
   const double peak = std::pow(5 * 0.5 * slow * slow / (4 * stiffness), 0.4);
-  EXPECT_NEAR(deepest / peak, 1, 1e-5);
-  EXPECT_NEAR(strongest / (stiffness * std::pow(peak, 1.5)), 1, 1e-5);
-  EXPECT_NEAR(last - first, 1, 5e-4) << "the stiffness of S2 is the one for which a collision lasts tau_c";
+  EXPECT_NEAR(impact.deepest / peak, 1, 1e-5);
+  EXPECT_NEAR(impact.strongest / (stiffness * std::pow(peak, 1.5)), 1, 1e-5);
+  EXPECT_NEAR(impact.last - impact.first, 1, 5e-4)
+      << "the stiffness of S2 is the one for which a collision lasts tau_c";
 }
 
 /// A body of unit diameter above a plane across the last axis.

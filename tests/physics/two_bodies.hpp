@@ -1,6 +1,7 @@
 // Scenes of one or two bodies, shared by the physics tests.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -49,6 +50,29 @@ Packing after_contact(Engine<D>& engine, std::int64_t most_steps = 200000) {
     if (touched && p.contacts.i.empty()) return p;
   }
   return {};
+}
+
+struct Impact {
+  double first = -1, last = -1;       ///< times of the first and last instants in contact
+  double deepest = 0, strongest = 0;  ///< overlap, normal force
+};
+
+/// Watches the contact of two bodies over `steps` steps.
+template <int D>
+Impact watch(Engine<D>& engine, int steps) {
+  Impact impact;
+  for (int k = 0; k < steps; ++k) {
+    engine.compute_forces();
+    const Packing p = engine.record();
+    if (!p.contacts.i.empty()) {
+      if (impact.first < 0) impact.first = engine.time();
+      impact.last = engine.time();
+      impact.deepest = std::max(impact.deepest, p.contacts.overlap[0]);
+      impact.strongest = std::max(impact.strongest, p.contacts.normal_force[0]);
+    }
+    engine.advance();
+  }
+  return impact;
 }
 
 }  // namespace jam::scenes

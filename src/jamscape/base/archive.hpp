@@ -15,4 +15,11 @@ using ArchiveValue = std::variant<std::vector<double>, std::vector<std::int64_t>
 /// Names may hold '/' to form groups. Doubles keep their exact bits (NaN payloads included).
 using Archive = std::map<std::string, ArchiveValue>;
 
+/// The entry of this name and type, or nullptr.
+template <class T>
+const T* find_entry(const Archive& archive, const std::string& name) {
+  const auto at = archive.find(name);
+  return at == archive.end() ? nullptr : std::get_if<T>(&at->second);
+}
+
 }  // namespace jam

@@ -24,10 +24,8 @@ std::vector<std::int64_t> integers(const Array& a) {
 
 template <class T>
 const T& fetch(const Archive& archive, const std::string& name) {
-  const auto at = archive.find(name);
-  if (at == archive.end() || !std::holds_alternative<T>(at->second))
-    throw data_error("the checkpoint lacks '" + name + "'", {}, "delete it; the task then starts from its beginning");
-  return std::get<T>(at->second);
+  if (const T* entry = find_entry<T>(archive, name)) return *entry;
+  throw data_error("the checkpoint lacks '" + name + "'", {}, "delete it; the task then starts from its beginning");
 }
 
 template <class Array>

@@ -5,9 +5,6 @@
 
 namespace jam {
 
-/// kinetic + elastic + damped + rubbed - wall_work - gravity_work: constant along a run, to the integrator's order.
-double ledger_sum(const EnergyLedger& energy);
-
 Measure energy_measure();
 
 }  // namespace jam

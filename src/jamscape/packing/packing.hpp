@@ -82,7 +82,7 @@ struct EnergyLedger {
   double wall_work = 0;     ///< done on the grains by moving walls or a deforming box since the start
   double gravity_work = 0;  ///< done on the grains by gravity since the start
 
-  /// Constant but for the integrator's error.
+  /// Constant along a run, to the integrator's order.
   double sum() const { return kinetic + elastic + damped + rubbed - wall_work - gravity_work; }
   /// What has changed hands so far, against which the error is to be seen.
   double turned_over() const {

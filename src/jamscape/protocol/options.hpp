@@ -250,4 +250,14 @@ struct SystemOptions {
   }
 };
 
+/// The name of stage `index` in keys and tables: its own, or its kind and number.
+inline std::string stage_name(const SystemOptions& system, std::size_t index) {
+  const StageOptions& stage = system.stages[index];
+  if (!stage.name.empty()) return stage.name;
+  std::string kind = "stage";
+  for (const auto& [value, name] : EnumNames<StageKind>::values)
+    if (value == stage.kind) kind = name;
+  return kind + "-" + std::to_string(index + 1);
+}
+
 }  // namespace jam

@@ -33,7 +33,9 @@ class Writer {
   void write(const StageOptions& stage, const std::string& name) {
     stage_ = &stage, name_ = name;
     if (stage.kind != StageKind::compress && (stage.frames > 0 || !stage.frames_at.empty()))
-      throw usage_error("stage." + name + ": frames and frames_at are for kind = \"compress\"", {},
+      throw usage_error("stage." + name + (stage.frames > 0 ? ".frames" : ".frames_at") +
+                            ": only stages of kind = \"compress\" have it",
+                        {},
                         stage.kind == StageKind::steps ? "frames_inside" : "a relax stage has one frame, at its end");
     if (stage.kind == StageKind::relax) return relax();
     if (reached_ > stage.to + 1e-9)
@@ -115,14 +117,7 @@ Timetable timetable(const SystemOptions& system, const TaskKey& key) {
     throw usage_error("the study has no stage", {}, "add a [[stage]] table, e.g. kind = \"compress\", to = 0.9");
   Writer writer(start_box(system, draw_diameters(system.grains, key)), system.integrator.step);
   writer.table.plan.bodies = system.grains.count;
-  std::size_t number_of_stage = 0;
-  for (const StageOptions& stage : system.stages) {
-    ++number_of_stage;
-    std::string kind;
-    for (const auto& [value, text] : EnumNames<StageKind>::values)
-      if (value == stage.kind) kind = text;
-    writer.write(stage, stage.name.empty() ? kind + "-" + std::to_string(number_of_stage) : stage.name);
-  }
+  for (std::size_t s = 0; s < system.stages.size(); ++s) writer.write(system.stages[s], stage_name(system, s));
   return writer.table;
 }
 
@@ -130,7 +125,8 @@ Plan plan(const SystemOptions& system, const TaskKey& key) { return timetable(sy
 
 bool PlannedFrame::matches(std::int64_t at, const std::string& of, double found, const std::string& relaxation) const {
   if (step >= 0) return at == step;
-  return of == stage && relaxed == !relaxation.empty() && std::abs(found - packing_fraction) < 1e-3;  // fast walls overshoot
+  return of == stage && relaxed == !relaxation.empty() &&
+         std::abs(found - packing_fraction) < 1e-3;  // fast walls overshoot
 }
 
 }  // namespace jam

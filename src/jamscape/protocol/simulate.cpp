@@ -174,13 +174,9 @@ class Run {
   }
 
   void resume(const Archive& archive) {
-    const auto read = [&]<class T>(const char* entry, const T*) -> const T* {
-      const auto at = archive.find(entry);
-      return at == archive.end() ? nullptr : std::get_if<T>(&at->second);
-    };
-    const auto* n = read("protocol/counters", static_cast<const std::vector<std::int64_t>*>(nullptr));
-    const auto* s = read("protocol/system", static_cast<const std::string*>(nullptr));
-    const auto* r = read("protocol/relaxation", static_cast<const std::vector<double>*>(nullptr));
+    const auto* n = find_entry<std::vector<std::int64_t>>(archive, "protocol/counters");
+    const auto* s = find_entry<std::string>(archive, "protocol/system");
+    const auto* r = find_entry<std::vector<double>>(archive, "protocol/relaxation");
     if (!n || n->size() != 6 || !s || !r || *s != key_.system || (*n)[0] != physics_revision(system_) ||
         (*n)[1] != static_cast<std::int64_t>(key_.seed) || (*n)[2] != static_cast<std::int64_t>(key_.realisation) ||
         (*n)[4] < 0 || static_cast<std::size_t>((*n)[4]) >= table_.legs.size())

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/protocol/relaxation.hpp"
 
 namespace jam {
 namespace {
@@ -70,7 +71,7 @@ std::vector<std::string> relaxations(const DoneTask& done) {
 std::size_t frames_not_relaxed(const std::vector<DoneTask>& done) {
   std::size_t n = 0;
   for (const DoneTask& d : done)
-    for (const std::string& relaxation : relaxations(d)) n += relaxation == "budget";
+    for (const std::string& relaxation : relaxations(d)) n += relaxation == not_relaxed;
   return n;
 }
 
@@ -130,7 +131,7 @@ FrameSeries read_frame_series(const std::vector<const DoneTask*>& done, const st
     }
     if (!any_relaxed) continue;
     std::vector<double> values;
-    for (const std::string& relaxation : relaxations(*d)) values.push_back(relaxation == "budget" ? 1 : 0);
+    for (const std::string& relaxation : relaxations(*d)) values.push_back(relaxation == not_relaxed ? 1 : 0);
     values.resize(frames);
     series.value[q].push_back(std::move(values));
   }

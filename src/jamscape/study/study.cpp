@@ -62,14 +62,6 @@ std::string print_units(const UnitOptions& units) {
 
 }  // namespace
 
-std::string stage_name(const SystemOptions& system, std::size_t index) {
-  const StageOptions& stage = system.stages[index];
-  if (!stage.name.empty()) return stage.name;
-  for (const auto& [value, name] : EnumNames<StageKind>::values)
-    if (value == stage.kind) return fmt::format("{}-{}", name, index + 1);
-  return fmt::format("stage-{}", index + 1);
-}
-
 std::vector<Option> system_options(SystemOptions& system) {
   std::vector<Option> options = options_of(system);
   if (system.contact.law != NormalLaw::linear)

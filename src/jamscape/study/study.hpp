@@ -104,9 +104,6 @@ std::string print_study(const Study& study);
 /// All options of a system, those of its stages as "stage.NAME.key".
 std::vector<Option> system_options(SystemOptions& system);
 
-/// The name of stage `index` in keys and tables: its own, or its kind and number.
-std::string stage_name(const SystemOptions& system, std::size_t index);
-
 /// One line of `key = value` for each option of `system` that differs from `other`, in the order of the options.
 std::vector<std::string> differing_options(const SystemOptions& system, const SystemOptions& other);
 

@@ -16,7 +16,7 @@ TEST(Energy, LedgerHasTheSignsOfTheRecord) {
   e.rubbed = 8;
   e.wall_work = 16;
   e.gravity_work = 32;
-  EXPECT_EQ(ledger_sum(e), 1 + 2 + 4 + 8 - 16 - 32);
+  EXPECT_EQ(e.sum(), 1 + 2 + 4 + 8 - 16 - 32);
 }
 
 TEST(Box, SidesAndVolume) {
