@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "jamscape/base/error.hpp"
 #include "jamscape/contact/collision.hpp"
 
 namespace jam {
@@ -26,12 +27,22 @@ double clipped_damping(double k_n, double mbar, double restitution) {
   return 2 * std::sqrt(k_n / mbar) * lo;
 }
 
+/// The dashpot of reduced mass mbar at spring k_n: from the damping ratio where it is given, else from the restitution.
+double damping(const ContactOptions& o, double k_n, double mbar, double restitution) {
+  if (o.damping_ratio < 0) return solve_damping(o.law, o.damping, k_n, mbar, restitution, o.impact_speed);
+  if (hertzian(o.law))
+    throw usage_error("contact.damping_ratio: a Hertz law has no constant damping ratio", {},
+                      "contact.restitution, or contact.law = \"linear\" or \"ratio\"");
+  return 2 * o.damping_ratio * std::sqrt(o.law == NormalLaw::ratio ? k_n : k_n / mbar);
+}
+
 PairLaw<> law_with(const ContactOptions& o, double k_n, double gamma_n, double mu) {
   PairLaw<> law{};
   law.k_n = k_n;
   law.gamma_n = gamma_n;
   law.k_t = o.tangential_stiffness * k_n;
   law.gamma_t = o.tangential_damping * gamma_n;
+  if (o.law == NormalLaw::ratio) law.gamma_t *= std::sqrt(o.tangential_stiffness);
   law.inverse_k_t = law.k_t > 0 ? 1 / law.k_t : 0;
   law.mu = mu;
   law.lever_cut = o.lever == LeverArm::contact_point ? 0.5 : 0.0;
@@ -57,6 +68,8 @@ double linear_restitution(double z, DampingRule rule) {
 
 double solve_damping(NormalLaw law, DampingRule rule, double k_n, double mbar, double restitution, double speed) {
   if (restitution >= 1) return 0;
+  if (law == NormalLaw::ratio)
+    return std::sqrt(mbar) * solve_damping(NormalLaw::linear, rule, k_n, mbar, restitution, speed);
   if (law == NormalLaw::linear && rule == DampingRule::unclipped) return linear_damping(k_n, mbar, restitution);
   if (law == NormalLaw::linear && rule == DampingRule::clipped) return clipped_damping(k_n, mbar, restitution);
   const double g = collision_damping(law, rule, restitution);
@@ -66,15 +79,14 @@ double solve_damping(NormalLaw law, DampingRule rule, double k_n, double mbar, d
 }
 
 PairLaw<> grain_law(const ContactOptions& o, double mass) {
-  return law_with(o, o.stiffness, solve_damping(o.law, o.damping, o.stiffness, mass / 2, o.restitution, o.impact_speed),
-                  o.friction);
+  return law_with(o, o.stiffness, damping(o, o.stiffness, mass / 2, o.restitution), o.friction);
 }
 
 PairLaw<> wall_law(const ContactOptions& o, double mass) {
   const double k_n = o.wall_stiffness * o.stiffness;
   const double gamma_n =
       o.wall_restitution < 0
-          ? solve_damping(o.law, o.damping, o.stiffness, mass / 2, o.restitution, o.impact_speed)
+          ? damping(o, o.law == NormalLaw::ratio ? k_n : o.stiffness, mass / 2, o.restitution)
           : solve_damping(o.law, o.damping, k_n, mass, std::max(o.wall_restitution, 0.01), o.impact_speed);
   return law_with(o, k_n, gamma_n, o.wall_friction < 0 ? o.friction : o.wall_friction);
 }

@@ -10,6 +10,7 @@ namespace jam {
 /// the hertz law depends on it). Unit: 1/time (linear), per length^nu for the Hertz laws.
 ///   linear unclipped   2 w0 |ln e| / sqrt(pi^2 + ln^2 e),  w0 = sqrt(k_n / mbar)
 ///   linear clipped     from the closed form of linear_restitution()
+///   ratio              sqrt(mbar) times that of the linear law: the same for all mbar
 ///   all others         by integrating the collision (collision.hpp)
 /// Source: theory sec. 2.1-2.2. Throws a usage error when the rule cannot reach e (printed rule).
 double solve_damping(NormalLaw law, DampingRule rule, double k_n, double mbar, double restitution, double speed);

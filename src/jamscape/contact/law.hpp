@@ -7,6 +7,7 @@
 //                force
 //                s(x) stands in all of these, so the limit is applied before it: no division by s, none without sliding
 //   tsuji        is hertz with mbar / x^(1/4) in the dashpots
+//   ratio        is linear with mbar^(1/2) in the dashpots, and cut at |F*| = mu k_n x                    [S3 Eq. 3, 5]
 //   forces       on i: -F_n n + f_t,  on j the opposite;   torque on i: l_i n x f_t,  on j: l_j n x f_t
 //
 // l is the lever arm R (or R - x/2). In two dimensions spins, springs and tangential forces are scalars: spins about z,
@@ -54,6 +55,7 @@ template <int D, class T>
 struct TouchForce {
   T normal;                ///< F_n
   Axial<D, T> tangential;  ///< f_t on i: along t (2D), or the vector (3D)
+  T limit;                 ///< Coulomb limit of |f_t|
   T damped;                ///< power taken by the dashpots (the tangential one while the contact sticks)
   /// Energy taken tangentially in this step. Linear law: by friction alone, all that a sliding contact takes. Hertz
   /// laws: the whole work against the tangential force, springs included, because their energy changes with x as well.
@@ -63,10 +65,10 @@ struct TouchForce {
 /// s(x) of the normal law.
 template <NormalLaw law, class T>
 JAM_INLINE T shape(T x) {
-  if constexpr (law == NormalLaw::linear)
-    return T(1.0);
-  else
+  if constexpr (hertzian(law))
     return square_root(x);
+  else
+    return T(1.0);
 }
 
 /// What stands for mbar in the dashpots.
@@ -74,6 +76,8 @@ template <NormalLaw law, class T>
 JAM_INLINE T damped_mass(T mbar, T s) {
   if constexpr (law == NormalLaw::tsuji)
     return mbar / square_root(s);
+  else if constexpr (law == NormalLaw::ratio)
+    return square_root(mbar);
   else
     return mbar;
 }
@@ -81,10 +85,10 @@ JAM_INLINE T damped_mass(T mbar, T s) {
 /// Elastic energy of the normal spring: k x^2/2 (linear), 2/5 k x^(5/2) (Hertz).
 template <NormalLaw law>
 double normal_energy(double k_n, double x) {
-  if constexpr (law == NormalLaw::linear)
-    return 0.5 * k_n * x * x;
-  else
+  if constexpr (hertzian(law))
     return 0.4 * k_n * x * x * square_root(x);
+  else
+    return 0.5 * k_n * x * x;
 }
 
 /// Elastic energy of the tangential spring at s = 1.
@@ -97,6 +101,18 @@ JAM_INLINE T spring_energy(T k_t, const Vec<3, T>& spring) {
   return T(0.5) * k_t * dot(spring, spring);
 }
 
+/// Elastic energies, summed over contacts.
+struct ElasticEnergy {
+  double normal = 0, tangential = 0;
+
+  /// One contact of overlap x > 0 and tangential spring `spring`.
+  template <NormalLaw law, class Spring>
+  void add(const PairLaw<>& c, double x, const Spring& spring) {
+    normal += normal_energy<law>(c.k_n, x);
+    tangential += shape<law>(x) * spring_energy(c.k_t, spring);
+  }
+};
+
 /// Calls f.operator()<law>() for a law known at run time only.
 template <class F>
 JAM_INLINE auto with_law(NormalLaw law, F&& f) {
@@ -105,6 +121,8 @@ JAM_INLINE auto with_law(NormalLaw law, F&& f) {
       return f.template operator()<NormalLaw::hertz>();
     case NormalLaw::tsuji:
       return f.template operator()<NormalLaw::tsuji>();
+    case NormalLaw::ratio:
+      return f.template operator()<NormalLaw::ratio>();
     case NormalLaw::linear:
       break;
   }
@@ -119,13 +137,22 @@ JAM_INLINE T normal_force(const PairLaw<T>& c, T x, T mbar, T v_n) {
   return select(magnitude(dashpot) > c.damping_limit * spring, T(0.0), force);
 }
 
+/// The largest tangential force before s(x), `bare` being the normal force before it.
+template <NormalLaw law, class T>
+JAM_INLINE T coulomb_limit(const PairLaw<T>& c, T x, T bare) {
+  if constexpr (law == NormalLaw::ratio)
+    return c.mu * (c.k_n * x);
+  else
+    return c.mu * magnitude(bare);
+}
+
 /// Forces of a contact; `spring` is advanced by v_t dt and reset at the Coulomb limit.
 /// `lw` = l_i w_i + l_j w_j.
 template <int D, NormalLaw law, bool friction, class T>
 JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, T pair_mass, const Vec<D, T>& v,
                                   const Axial<D, T>& lw, Axial<D, T>& spring, T dt) {
   TouchForce<D, T> out;
-  constexpr bool shaped = law != NormalLaw::linear;
+  constexpr bool shaped = hertzian(law);
   const T s = shape<law>(x), approach = dot(v, n), v_n = -approach, mbar = damped_mass<law>(pair_mass, s);
   const T bare = normal_force(c, x, mbar, v_n);
   T elastic = c.k_n * x;
@@ -133,6 +160,7 @@ JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, 
   if constexpr (shaped) out.normal = s * bare, elastic = s * elastic;
   out.damped = (elastic - out.normal) * v_n;
   out.rubbed = T(0.0);
+  out.limit = T(0.0);
   if constexpr (!friction) {
     if constexpr (D == 2)
       out.tangential = T(0.0);
@@ -140,7 +168,9 @@ JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, 
       out.tangential = {T(0.0), T(0.0), T(0.0)};
     return out;
   } else {
-    const T cap = c.mu * magnitude(bare), damping = c.gamma_t * mbar;
+    const T cap = coulomb_limit<law>(c, x, bare), damping = c.gamma_t * mbar;
+    out.limit = cap;
+    if constexpr (shaped) out.limit = s * cap;
     if constexpr (D == 2) {
       const T v_t = n[0] * v[1] - n[1] * v[0] + lw;
       const T trial = spring + v_t * dt, dashpot = damping * v_t;

@@ -13,12 +13,19 @@ namespace jam {
 enum class NormalLaw {
   linear,  ///< delta = 1, nu = 0
   hertz,   ///< delta = 3/2, nu = 1/2: viscoelastic spheres; the restitution falls with the impact speed
-  tsuji    ///< delta = 3/2, nu = 1/4: Hertz with a restitution that does not depend on the impact speed
+  tsuji,   ///< delta = 3/2, nu = 1/4: Hertz with a restitution that does not depend on the impact speed
+  ratio    ///< delta = 1, nu = 0, the dashpot gamma_n sqrt(mbar): one damping ratio, hence one restitution, for all
+           ///< masses; the Coulomb limit is mu times the spring alone [S3 Eq. 3, 5]
 };
+/// Whether spring and dashpots carry the factor s(x) = x^(1/2).
+constexpr bool hertzian(NormalLaw law) { return law == NormalLaw::hertz || law == NormalLaw::tsuji; }
+
 template <>
 struct EnumNames<NormalLaw> {
-  static constexpr std::pair<NormalLaw, std::string_view> values[] = {
-      {NormalLaw::linear, "linear"}, {NormalLaw::hertz, "hertz"}, {NormalLaw::tsuji, "tsuji"}};
+  static constexpr std::pair<NormalLaw, std::string_view> values[] = {{NormalLaw::linear, "linear"},
+                                                                      {NormalLaw::hertz, "hertz"},
+                                                                      {NormalLaw::tsuji, "tsuji"},
+                                                                      {NormalLaw::ratio, "ratio"}};
 };
 
 /// What happens when the dashpot would make the normal force attractive: nothing (S1), the force is cut at zero, or
@@ -42,6 +49,7 @@ struct ContactOptions {
   NormalLaw law = NormalLaw::linear;
   double stiffness = std::numbers::pi * std::numbers::pi / 2;
   double restitution = 0.5;
+  double damping_ratio = -1;
   double friction = 0.5;
   double tangential_stiffness = 0.8;
   double tangential_damping = 1.0;
@@ -55,8 +63,9 @@ struct ContactOptions {
   template <class V>
   void describe(V& v) {
     v.option("law", law,
-             {.text = "normal force law: linear, hertz (spring x^3/2, dashpot x^1/2), or tsuji (x^3/2, x^1/4)",
-              .source = "S1 App. A; S2 Eq. 1"});
+             {.text = "normal force law: linear, hertz (spring x^3/2, dashpot x^1/2), tsuji (x^3/2, x^1/4), or ratio "
+                      "(linear, one damping ratio for all masses, Coulomb limit on the spring alone)",
+              .source = "S1 App. A; S2 Eq. 1; S3 Eq. 3, 5"});
     v.option("stiffness", stiffness,
              {.text = "normal spring k_n (per d^1/2 for the Hertz laws); linear: pi^2/2 is tau_c = half the undamped "
                       "period",
@@ -64,11 +73,18 @@ struct ContactOptions {
               .min = 0,
               .above_min = true,
               .source = "theory 2.1"});
-    v.option("restitution", restitution,
-             {.text = "normal restitution of two mean grains; the damping is solved for it",
-              .min = 0.01,
+    v.option(
+        "restitution", restitution,
+        {.text = "normal restitution of two mean grains; the damping is solved for it unless damping_ratio is given",
+         .min = 0.01,
+         .max = 1,
+         .source = "S1 App. A"});
+    v.option("damping_ratio", damping_ratio,
+             {.text = "laws linear and ratio: the normal dashpot over the critical one, of two mean grains; -1: solved "
+                      "for the restitution",
+              .min = -1,
               .max = 1,
-              .source = "S1 App. A"});
+              .source = "S3 Eq. 7"});
     v.option("impact_speed", impact_speed,
              {.text = "speed of the impact that has this restitution; matters to the hertz law only",
               .unit = "d/tau_c",
@@ -80,7 +96,9 @@ struct ContactOptions {
     v.option("tangential_stiffness", tangential_stiffness,
              {.text = "tangential over normal stiffness k_t/k_n", .min = 0, .max = 10});
     v.option("tangential_damping", tangential_damping,
-             {.text = "tangential over normal damping gamma_t/gamma_n", .min = 0, .max = 10});
+             {.text = "tangential over normal damping gamma_t/gamma_n; law ratio: of the damping ratios",
+              .min = 0,
+              .max = 10});
     v.option("damping", damping, {.text = "rule for a dashpot stronger than the spring", .source = "theory 2.1, 2.2"});
     v.option("lever", lever, {.text = "lever arm of the tangential force", .source = "theory 2.3"});
     v.option("wall_friction", wall_friction,

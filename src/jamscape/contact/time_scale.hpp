@@ -14,7 +14,7 @@
 namespace jam {
 
 /// Force of the overlap: x^(1+beta).
-constexpr double hardening_exponent(NormalLaw law) { return law == NormalLaw::linear ? 0 : 0.5; }
+constexpr double hardening_exponent(NormalLaw law) { return hertzian(law) ? 0.5 : 0; }
 
 /// zeta(0) = pi, zeta(1/2) = 2.943275.
 double collision_prefactor(double beta);

@@ -24,10 +24,7 @@ ElasticEnergy Engine<D>::elastic_energy() const {
   using R = Row<D>;
   ElasticEnergy sum;
   const auto add = [&](const PairLaw<>& law, double x, const Axial<D>& spring) {
-    with_law(kind_, [&]<NormalLaw normal>() {
-      sum.normal += normal_energy<normal>(law.k_n, x);
-      sum.tangential += shape<normal>(x) * spring_energy(law.k_t, spring);
-    });
+    with_law(kind_, [&]<NormalLaw normal>() { sum.add<normal>(law, x, spring); });
   };
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const std::uint32_t i = pairs_.i[k], j = pairs_.j[k];

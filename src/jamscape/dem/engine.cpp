@@ -198,7 +198,7 @@ void Engine<D>::touch_planes() {
     const double x = row[R::radius] - distance;
     Axial<D>& spring = plane_spring_[q];
     if (!(x > 0)) {
-      if (kind_ == NormalLaw::linear) tally_.rubbed[0] += spring_energy(wall_law_.k_t, spring);
+      if (!hertzian(kind_)) tally_.rubbed[0] += spring_energy(wall_law_.k_t, spring);
       spring = Axial<D>{};
       continue;
     }

@@ -51,10 +51,6 @@ struct EngineSetup {
   double dt = 0.02;
 };
 
-struct ElasticEnergy {
-  double normal = 0, tangential = 0;
-};
-
 template <int D>
 class Engine {
  public:

@@ -29,7 +29,7 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
     const double reach = a[R::radius] + b[R::radius], r2 = dot(d, d);
     if (!(r2 < reach * reach)) {
       if constexpr (friction) {
-        if constexpr (law == NormalLaw::linear) p.tally->rubbed[k % block] += spring_energy(range.law.k_t, spring);
+        if constexpr (!hertzian(law)) p.tally->rubbed[k % block] += spring_energy(range.law.k_t, spring);
         for (std::size_t c = 0; c < (D == 2 ? 1 : 3); ++c) stored[c * block] = 0;
       }
       continue;

@@ -139,7 +139,7 @@ JAM_INLINE Axial<D, Lanes> load_springs(const double* stored) {
 template <int D, NormalLaw law>
 JAM_INLINE void erase_parted(const PairLaw<Lanes>& c, Mask touching, double* stored, Lanes& rubbed) {
   const Axial<D, Lanes> spring = load_springs<D>(stored);
-  if constexpr (law == NormalLaw::linear) rubbed = rubbed + select(touching, Lanes(0.0), spring_energy(c.k_t, spring));
+  if constexpr (!hertzian(law)) rubbed = rubbed + select(touching, Lanes(0.0), spring_energy(c.k_t, spring));
   if constexpr (D == 2)
     select_or_zero(touching, spring).store(stored);
   else

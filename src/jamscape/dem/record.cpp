@@ -31,12 +31,7 @@ template <int D>
 Vec<D> append_forces(Contacts& out, ElasticEnergy& energy, const PairLaw<>& law, NormalLaw kind, const Touching<D>& t) {
   Axial<D> spring = t.spring;
   const auto f = with_law(kind, [&]<NormalLaw normal>() {
-    energy.normal += normal_energy<normal>(law.k_n, t.x);
-    const double s = shape<normal>(t.x);
-    if constexpr (D == 2)
-      energy.tangential += 0.5 * law.k_t * s * spring * spring;
-    else
-      energy.tangential += 0.5 * law.k_t * s * dot(spring, spring);
+    energy.add<normal>(law, t.x, spring);
     return law.mu > 0 ? touch<D, normal, true>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0)
                       : touch<D, normal, false>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0);
   });
@@ -45,12 +40,11 @@ Vec<D> append_forces(Contacts& out, ElasticEnergy& energy, const PairLaw<>& law,
     tangential = {-f.tangential * t.n[1], f.tangential * t.n[0]};
   else
     tangential = f.tangential;
-  const double cap = law.mu * std::abs(f.normal);
   out.overlap.push_back(t.x);
   out.normal_force.push_back(f.normal);
   out.normal.push_back(widen<D>(t.n));
   out.tangential_force.push_back(widen<D>(tangential));
-  out.sliding.push_back(law.mu > 0 && norm(tangential) >= cap * (1 - 1e-9));
+  out.sliding.push_back(law.mu > 0 && norm(tangential) >= f.limit * (1 - 1e-9));
   return (-f.normal) * t.n + tangential;
 }
 
@@ -222,7 +216,7 @@ Packing Engine<D>::record() const {
     }
   out.energy.elastic = energy.normal + energy.tangential;
   out.energy.damped = damped_;
-  out.energy.rubbed = kind_ == NormalLaw::linear ? rubbed_ : rubbed_ - energy.tangential;
+  out.energy.rubbed = hertzian(kind_) ? rubbed_ - energy.tangential : rubbed_;
   out.energy.wall_work = wall_work_;
   out.energy.gravity_work = gravity_work_;
   return out;

@@ -7,7 +7,9 @@
 //   - the unit normal n points from i to j; normal_force > 0 is repulsive; the force on i is
 //         f_i = -normal_force n + tangential_force,      the force on j is -f_i;
 //   - overlap > 0 while the grains touch; tangential_force is perpendicular to n;
-//   - point lies on the line of centres, in the middle of the overlap;
+//   - point lies in the middle of the overlap, on the line of centres (clusters: of the closest points of two axes);
+//   - a body made of several arms touches with each of them: part_i and part_j are the arms, and a wall sees the ends
+//     of an arm, part_j = 0 or 1;
 //   - in a periodic box the copy of j that touches i sits at x_j + image * L.
 // Units are those of the study (scaled units d, m, tau_c in S1).
 #pragma once
@@ -18,20 +20,27 @@
 #include <string>
 #include <vector>
 
+#include "jamscape/geometry/cluster.hpp"
+#include "jamscape/geometry/quaternion.hpp"
 #include "jamscape/geometry/vec.hpp"
 
 namespace jam {
 
-/// Grains in the order of their ids; all arrays have the same length.
+/// Grains in the order of their ids; all arrays have the same length, but that those of clusters are empty in a packing
+/// of discs or spheres.
 struct Grains {
   std::vector<std::int64_t> id;       ///< stable name of a grain
   std::vector<std::int32_t> species;  ///< material and size class
-  std::vector<double> radius;
+  std::vector<double> radius;         ///< clusters: of the circumscribed sphere
   std::vector<double> mass;
   std::vector<Vec3> position;
   std::vector<Vec3> velocity;
   std::vector<Vec3> spin;   ///< angular velocity
   std::vector<Vec3> angle;  ///< accumulated rotation (2D: z); zero where it is not tracked
+
+  std::vector<std::int32_t> shape;      ///< clusters: index into Packing::shapes
+  std::vector<double> scale;            ///< clusters: size factor of the whole body
+  std::vector<Quaternion> orientation;  ///< clusters: from the shape's frame to the packing's
 
   std::size_t size() const { return id.size(); }
 };
@@ -53,17 +62,19 @@ struct Contacts {
   std::size_t size() const { return i.size(); }
 };
 
-enum class WallKind : std::uint8_t { plane, beads };
+enum class WallKind : std::uint8_t { plane, beads, cylinder };
 
-/// A wall: a plane, or a straight row (2D) of touching beads that moves as one rigid piece along its normal.
+/// A wall: a plane, a straight row (2D) of touching beads that moves as one rigid piece along its normal, or an upright
+/// cylinder around the grains.
 struct Wall {
   WallKind kind = WallKind::plane;
-  Vec3 position{};  ///< a point of the plane, or of the line through the bead centres
-  Vec3 normal{};    ///< unit vector, pointing into the domain
+  Vec3 position{};  ///< a point of the plane, of the line through the bead centres, or of the cylinder's axis
+  Vec3 normal{};    ///< unit vector, pointing into the domain; cylinder: along its axis
   Vec3 velocity{};
   Vec3 force{};             ///< total force of the grains on the wall
   double bead_radius = 0;   ///< beads only
   std::vector<Vec3> beads;  ///< centres of the beads; part_j of a contact is the index here
+  double radius = 0;        ///< cylinder only
 };
 
 struct Domain {
@@ -98,7 +109,8 @@ struct Packing {
   std::string relaxation;             ///< what ended the relaxation before this instant; empty where there was none
   double packing_fraction = 0;        ///< in the study's box and grain-area convention
   double packing_fraction_plain = 0;  ///< true grain area (volume), over the same box
-  Domain domain;
+  Domain domain;                      ///< of a cylinder: the box around it
+  std::vector<ClusterShape> shapes;   ///< empty: discs or spheres
   Grains grains;
   Contacts contacts;
   std::vector<Wall> walls;

@@ -137,7 +137,7 @@ class Run {
   /// friction caps the forces that a dashpot too stiff for the time step feeds back. Hertz laws only: dense frictional
   /// runs of S1 with Gear drift too (theory sec. 2.5) and are left to the column ledger_sum.
   void check_ledger(const EnergyLedger& e) const {
-    if (system_.contact.law == NormalLaw::linear) return;
+    if (!hertzian(system_.contact.law)) return;
     const double made = std::abs(e.sum() - start_energy_);
     if (made < largest_ledger_error * (e.turned_over() + start_energy_)) return;
     throw Diverged(fmt::format(
@@ -202,7 +202,7 @@ class Run {
 }  // namespace
 
 int physics_revision(const SystemOptions& system) {
-  return system.contact.law == NormalLaw::linear && system.domain.dimension == 2 ? 1 : 2;
+  return !hertzian(system.contact.law) && system.domain.dimension == 2 ? 1 : 2;
 }
 
 Outcome simulate(const SystemOptions& system, const TaskKey& key, const Hooks& hooks, const Archive* from) {

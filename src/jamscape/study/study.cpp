@@ -64,7 +64,7 @@ std::string print_units(const UnitOptions& units) {
 
 std::vector<Option> system_options(SystemOptions& system) {
   std::vector<Option> options = options_of(system);
-  if (system.contact.law != NormalLaw::linear)
+  if (hertzian(system.contact.law))
     for (Option& o : options)
       if (o.key == "contact.stiffness") o.meta.unit = "m/(d^0.5 tau_c^2)";
   for (std::size_t k = 0; k < system.stages.size(); ++k)
