@@ -12,6 +12,7 @@
 #include "jamscape/io/run_layout.hpp"
 #include "jamscape/io/run_writer.hpp"
 #include "jamscape/io/seal.hpp"
+#include "jamscape/io/shape_list.hpp"
 
 namespace jam {
 namespace {
@@ -61,6 +62,7 @@ struct RunFile::State {
   std::vector<double> times, fraction, fraction_plain, lower, upper;
   std::vector<std::uint8_t> periodic;
   std::vector<std::string> stages, relaxations;
+  std::vector<ClusterShape> shapes;
   std::vector<EnergyLedger> energy;
   std::vector<std::uint64_t> contact_offset, wall_offset, bead_offset;
 
@@ -88,9 +90,9 @@ RunFile::State::State(hdf5::File opened) : file(std::move(opened)), root(file.ro
     throw data_error("the file holds no packings of ours: it has no groups frames, particles and contacts", root.file(),
                      "name a run.h5 or a frame file");
   if (const auto version = root.read_attribute<std::int32_t>("layout_version");
-      version.size() != 1 || version[0] != run_layout::version)
-    throw data_error(fmt::format("the file has layout version {}, this program reads {}",
-                                 version.empty() ? 0 : version[0], run_layout::version),
+      version.size() != 1 || version[0] < run_layout::oldest_version || version[0] > run_layout::version)
+    throw data_error(fmt::format("the file has layout version {}, this program reads {} to {}",
+                                 version.empty() ? 0 : version[0], run_layout::oldest_version, run_layout::version),
                      root.file(), "use the version of the program that wrote it");
   const Group frames = root.group("frames");
   steps = frames.read<std::int64_t>("step");
@@ -103,6 +105,7 @@ RunFile::State::State(hdf5::File opened) : file(std::move(opened)), root(file.ro
 
   all = root.group("particles").group("all");
   counts = per_frame<std::int64_t>(all.group("count"), "value");
+  if (root.has("shapes")) shapes = read_shapes(root.group("shapes"));
   const Group box = all.group("box");
   const auto dimensions = box.read_attribute<std::int32_t>("dimension");
   if (dimensions.size() != 1 || (dimensions[0] != 2 && dimensions[0] != 3))
@@ -158,6 +161,12 @@ Grains RunFile::State::grains(std::size_t k) const {
   g.species = property<std::int32_t>("species", k, n);
   g.radius = property<double>("radius", k, n);
   g.mass = property<double>("mass", k, n);
+  if (shapes.empty()) return g;
+  g.shape = property<std::int32_t>("shape", k, n);
+  g.scale = property<double>("scale", k, n);
+  const auto turned = all.group("orientation").dataset("value").read<double>({k, 0, 0}, {1, n, 4});
+  for (std::size_t m = 0; m < turned.size(); m += 4)
+    g.orientation.push_back({turned[m], turned[m + 1], turned[m + 2], turned[m + 3]});
   return g;
 }
 
@@ -198,10 +207,12 @@ std::vector<Wall> RunFile::State::read_walls(std::size_t k) const {
   const auto velocity = read_rows<double>(walls, "velocity", first, n, 3);
   const auto force = read_rows<double>(walls, "force", first, n, 3);
   const auto bead_radius = read_rows<double>(walls, "bead_radius", first, n);
+  const auto radius = walls.has("cylinder_radius") ? read_rows<double>(walls, "cylinder_radius", first, n)
+                                                   : std::vector<double>(n, 0.0);
   const auto bead = read_rows<double>(walls, "bead", first_bead, beads, 3);
   std::vector<Wall> out(n);
   for (std::size_t w = 0; w < n; ++w) {
-    if (kind[w] > static_cast<std::uint8_t>(WallKind::beads))
+    if (kind[w] > static_cast<std::uint8_t>(WallKind::cylinder))
       damaged(walls, fmt::format("a wall is of kind {}", kind[w]));
     out[w] = {static_cast<WallKind>(kind[w]),
               vector_at(position, w),
@@ -209,7 +220,8 @@ std::vector<Wall> RunFile::State::read_walls(std::size_t k) const {
               vector_at(velocity, w),
               vector_at(force, w),
               bead_radius[w],
-              {}};
+              {},
+              radius[w]};
     for (std::size_t b = bead_offset[first + w]; b < bead_offset[first + w + 1]; ++b)
       out[w].beads.push_back(vector_at(bead, b - first_bead));
   }
@@ -269,6 +281,9 @@ Packing RunFile::frame(std::size_t k) const {
   p.walls = s.read_walls(k);
   p.grains = s.grains(k);
   p.contacts = s.read_contacts(k, p.grains.size(), p.walls.size());
+  p.shapes = s.shapes;
+  if (const std::string problem = cluster_problem(p); !problem.empty())
+    damaged(s.root, fmt::format("in frame {}, {}", k, problem));
   return p;
 }
 

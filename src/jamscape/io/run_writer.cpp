@@ -7,6 +7,7 @@
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/io/run_layout.hpp"
+#include "jamscape/io/shape_list.hpp"
 
 namespace jam {
 namespace {
@@ -73,9 +74,14 @@ void RunWriter::append(const Packing& packing) {
     first_.dimension = packing.dimension;
     first_.domain = packing.domain;
     first_.grains = packing.grains;
+    first_.shapes = packing.shapes;
   } else if (packing.dimension != first_.dimension) {
     throw data_error("frames of two and of three dimensions cannot stand in one file", all_.file());
+  } else if (packing.shapes != first_.shapes) {
+    throw data_error("frames of clusters of other shapes cannot stand in one file", all_.file());
   }
+  if (const std::string problem = cluster_problem(packing); !problem.empty())
+    throw data_error("the packing cannot be stored: " + problem, all_.file());
   append_grains(packing);
   append_contacts(packing.contacts);
   append_walls(packing.walls);
@@ -104,6 +110,13 @@ void RunWriter::append_grains(const Packing& packing) {
   append_property("species", &Grains::species, g);
   append_property("radius", &Grains::radius, g);
   append_property("mass", &Grains::mass, g);
+  if (!first_.shapes.empty()) {
+    append_property("shape", &Grains::shape, g);
+    append_property("scale", &Grains::scale, g);
+    std::vector<double> turned;
+    for (const Quaternion& q : g.orientation) turned.insert(turned.end(), {q.w, q.x, q.y, q.z});
+    append_grain_row("orientation", count_, turned, 4);
+  }
   grains_.push_back(static_cast<std::int64_t>(g.size()));
 }
 
@@ -176,7 +189,7 @@ void RunWriter::append_contacts(const Contacts& c) {
 
 void RunWriter::append_walls(const std::vector<Wall>& walls) {
   std::vector<std::uint8_t> kind;
-  std::vector<double> position, normal, velocity, force, bead_radius, bead;
+  std::vector<double> position, normal, velocity, force, bead_radius, radius, bead;
   for (const Wall& wall : walls) {
     kind.push_back(static_cast<std::uint8_t>(wall.kind));
     put(position, wall.position);
@@ -184,6 +197,7 @@ void RunWriter::append_walls(const std::vector<Wall>& walls) {
     put(velocity, wall.velocity);
     put(force, wall.force);
     bead_radius.push_back(wall.bead_radius);
+    radius.push_back(wall.radius);
     for (const Vec3& centre : wall.beads) put(bead, centre);
     bead_offset_.push_back(bead_offset_.back() + wall.beads.size());
   }
@@ -193,6 +207,7 @@ void RunWriter::append_walls(const std::vector<Wall>& walls) {
   append_rows(walls_, "velocity", velocity, 3);
   append_rows(walls_, "force", force, 3);
   append_rows(walls_, "bead_radius", bead_radius);
+  append_rows(walls_, "cylinder_radius", radius);
   append_rows(walls_, "bead", bead, 3);
   wall_offset_.push_back(wall_offset_.back() + walls.size());
 }
@@ -253,6 +268,12 @@ void RunWriter::finish(const Provenance& provenance) {
   finish_property("species", &Grains::species);
   finish_property("radius", &Grains::radius);
   finish_property("mass", &Grains::mass);
+  if (!first_.shapes.empty()) {
+    finish_property("shape", &Grains::shape);
+    finish_property("scale", &Grains::scale);
+    Group shapes = make(root_, "shapes");
+    write_shapes(shapes, first_.shapes);
+  }
   finish_element(all_, "count", grains_);
   finish_box();
 

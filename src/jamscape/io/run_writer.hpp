@@ -15,7 +15,8 @@ class RunWriter {
  public:
   /// For exactly `frames` frames.
   RunWriter(hdf5::Group root, std::size_t frames);
-  /// Throws a data error for a 2D packing with something out of its plane, or one of another dimension than the first.
+  /// Throws a data error for a 2D packing with something out of its plane, one of another dimension or with other
+  /// shapes than the first, and for clusters that could not be read back (shape_list.hpp).
   void append(const Packing& packing);
   /// Writes what stands once a file or once a frame; nothing can be appended afterwards.
   void finish(const Provenance& provenance);
@@ -41,7 +42,7 @@ class RunWriter {
 
   hdf5::Group root_, frames_, particles_, all_, contacts_, walls_;
   std::size_t planned_, count_ = 0;
-  Packing first_;                                ///< lasting properties of the grains, dimension, domain
+  Packing first_;                                ///< lasting properties of the grains, dimension, domain, shapes
   std::map<std::string, hdf5::Group> elements_;  ///< time-dependent members of particles/all
   std::map<std::string, hdf5::Dataset> open_;    ///< arrays that grow; kept open for the sake of their chunk caches
 

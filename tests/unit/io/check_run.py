@@ -32,7 +32,7 @@ def main(run, *tables):
         assert f["h5md/creator"].attrs["name"] == "jamscape"
         assert f["h5md/creator"].attrs["version"] == "0.1.0"
         assert f["h5md/author"].attrs["name"] == "jamscape"
-        f.visititems(lambda name, item: isinstance(item, h5py.Dataset) or int(item.attrs["layout_version"]) == 1 or 1 / 0)
+        f.visititems(lambda name, item: isinstance(item, h5py.Dataset) or int(item.attrs["layout_version"]) == 2 or 1 / 0)
 
         everyone = f["particles/all"]
         dimension = int(everyone["box"].attrs["dimension"])

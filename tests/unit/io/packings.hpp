@@ -71,7 +71,45 @@ struct Recipe {
   int dimension = 2;
   std::size_t grains = 50, contacts = 90, bead_walls = 4, plane_walls = 0;
   unsigned seed = 1;
+  std::size_t shapes = 0;  ///< above 0: clusters, and a cylinder as the last wall
 };
+
+/// Clusters of `count` shapes: as arbitrary as the rest, but that arms have sizes and directions.
+inline void make_clusters(Packing& p, std::size_t count, std::mt19937_64& generator) {
+  std::normal_distribution<double> normal;
+  const bool flat = p.dimension == 2;
+  const auto unit = [&] {
+    const Vec3 v{normal(generator), normal(generator), flat ? 0.0 : normal(generator)};
+    return (1 / norm(v)) * v;
+  };
+  const auto size = [&] { return std::abs(normal(generator)) + 1e-300; };
+  for (std::size_t s = 0; s < count; ++s) {
+    ClusterShape shape{"Form " + std::to_string(s), {},     size(), size(), size(),
+                       {size(), size(), size()},    size(), size()};
+    for (std::size_t a = 0; a < 1 + s; ++a)
+      shape.arms.push_back(
+          {{normal(generator), -0.0, flat ? 0 : normal(generator)}, unit(), s == 0 ? 0 : size(), size()});
+    p.shapes.push_back(shape);
+  }
+  Grains& g = p.grains;
+  for (std::size_t n = 0; n < g.size(); ++n) {
+    g.shape.push_back(static_cast<std::int32_t>(generator() % count));
+    g.scale.push_back(size());
+    const double w = normal(generator), z = normal(generator);
+    const Quaternion out_of_plane{w, normal(generator), normal(generator), z};
+    g.orientation.push_back(normalized(flat ? Quaternion{w, 0, 0, z} : out_of_plane));
+  }
+  const auto arms = [&](std::size_t n) { return p.shapes[static_cast<std::size_t>(g.shape[n])].arms.size(); };
+  Contacts& c = p.contacts;
+  for (std::size_t m = 0; m < c.size(); ++m) {
+    const std::size_t ends = c.j[m] < 0 ? 2 : arms(static_cast<std::size_t>(c.j[m]));
+    c.part_i[m] = static_cast<std::uint16_t>(c.part_i[m] % arms(c.i[m]));
+    c.part_j[m] = static_cast<std::uint16_t>(c.part_j[m] % ends);
+  }
+  if (p.walls.empty()) return;
+  p.walls.back().kind = WallKind::cylinder;
+  p.walls.back().radius = size();
+}
 
 /// Nothing in it makes physical sense, but every member is set and every index is valid.
 inline Packing random_packing(const Recipe& recipe) {
@@ -121,11 +159,12 @@ inline Packing random_packing(const Recipe& recipe) {
   }
   for (std::size_t w = 0; w < walls; ++w) {
     const bool beads = w < recipe.bead_walls;
-    Wall wall{beads ? WallKind::beads : WallKind::plane, vec(), vec(), vec(), vec(), beads ? number() : 0, {}};
+    Wall wall{beads ? WallKind::beads : WallKind::plane, vec(), vec(), vec(), vec(), beads ? number() : 0, {}, 0};
     for (std::size_t b = 0; beads && b < 5 + w; ++b) wall.beads.push_back(vec());
     p.walls.push_back(wall);
   }
   p.energy = {number(), number(), number(), number(), number(), number()};
+  if (recipe.shapes > 0) make_clusters(p, recipe.shapes, generator);
   return p;
 }
 
@@ -136,6 +175,21 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 template <class T>
 bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+inline void expect_same_clusters(const Packing& a, const Packing& b) {
+  EXPECT_EQ(a.grains.shape, b.grains.shape);
+  EXPECT_TRUE(same_bits(a.grains.scale, b.grains.scale));
+  EXPECT_TRUE(same_bits(a.grains.orientation, b.grains.orientation));
+  ASSERT_EQ(a.shapes.size(), b.shapes.size());
+  for (std::size_t s = 0; s < a.shapes.size(); ++s) {
+    const ClusterShape &x = a.shapes[s], &y = b.shapes[s];
+    EXPECT_EQ(x.name, y.name);
+    EXPECT_TRUE(same_bits(x.arms, y.arms));
+    EXPECT_TRUE(same_bits(std::array{x.volume, x.surface, x.area, x.length, x.circumradius},
+                          std::array{y.volume, y.surface, y.area, y.length, y.circumradius}));
+    EXPECT_TRUE(same_bits(x.inertia, y.inertia));
+  }
 }
 
 inline void expect_same(const Packing& a, const Packing& b) {
@@ -168,6 +222,7 @@ inline void expect_same(const Packing& a, const Packing& b) {
   EXPECT_TRUE(same_bits(a.contacts.point, b.contacts.point));
   EXPECT_TRUE(same_bits(a.contacts.sliding, b.contacts.sliding));
   EXPECT_TRUE(same_bits(a.energy, b.energy));
+  expect_same_clusters(a, b);
   ASSERT_EQ(a.walls.size(), b.walls.size());
   for (std::size_t w = 0; w < a.walls.size(); ++w) {
     EXPECT_EQ(a.walls[w].kind, b.walls[w].kind);
@@ -176,6 +231,7 @@ inline void expect_same(const Packing& a, const Packing& b) {
     EXPECT_TRUE(same_bits(a.walls[w].velocity, b.walls[w].velocity));
     EXPECT_TRUE(same_bits(a.walls[w].force, b.walls[w].force));
     EXPECT_TRUE(same_bits(a.walls[w].bead_radius, b.walls[w].bead_radius));
+    EXPECT_TRUE(same_bits(a.walls[w].radius, b.walls[w].radius));
     EXPECT_TRUE(same_bits(a.walls[w].beads, b.walls[w].beads));
   }
 }

@@ -2,7 +2,9 @@
 
 #include <thread>
 
+#include "jamscape/io/seal.hpp"
 #include "packings.hpp"
+#include "plain_packing.hpp"
 
 namespace jam {
 namespace {
@@ -19,6 +21,9 @@ const Recipe recipes[] = {
     {.dimension = 3, .seed = 6},
     {.dimension = 3, .grains = 1, .contacts = 3, .bead_walls = 1, .plane_walls = 6, .seed = 7},
     {.dimension = 3, .grains = 0, .contacts = 0, .bead_walls = 0, .seed = 8},
+    {.dimension = 2, .bead_walls = 0, .plane_walls = 4, .seed = 9, .shapes = 3},
+    {.dimension = 3, .bead_walls = 0, .plane_walls = 3, .seed = 10, .shapes = 1},
+    {.dimension = 3, .grains = 0, .contacts = 0, .bead_walls = 0, .seed = 11, .shapes = 2},
 };
 
 /// Frames of one run: the lasting properties of the grains stay, all else differs.
@@ -89,6 +94,60 @@ TEST(FrameFile, RefusesWhatItCannotKeep) {
   EXPECT_EQ(folder.files(), 0u);
 }
 
+TEST(FrameFile, RefusesClustersThatMakeNoSense) {
+  const Folder folder;
+  const Packing sound = random_packing({.bead_walls = 0, .plane_walls = 1, .shapes = 3});
+  const auto refused = [&](auto spoil) {
+    Packing p = sound;
+    spoil(p);
+    const std::string message = error_of([&] { write_frame(folder / "frame.h5", p); });
+    EXPECT_EQ(folder.files(), 0u);
+    return message;
+  };
+  const auto says = [](const std::string& message, const char* text) {
+    EXPECT_NE(message.find(text), std::string::npos) << message;
+  };
+  says(refused([](Packing& p) { p.grains.shape[4] = 3; }), "grain 4 is of shape 3, but there are 3");
+  says(refused([](Packing& p) { p.grains.shape[4] = -1; }), "grain 4 is of shape -1");
+  says(refused([](Packing& p) { p.grains.scale[7] = 0; }), "grain 7 has size factor 0");
+  says(refused([](Packing& p) { p.grains.orientation[5].w += 1e-5; }), "no unit quaternion");
+  says(refused([](Packing& p) { p.grains.orientation[5] = {0, 1, 0, 0}; }), "grain 5 is turned out of the plane");
+  says(refused([](Packing& p) { p.grains.orientation.pop_back(); }), "50 size factors and 49 orientations");
+  says(refused([](Packing& p) { p.shapes.clear(); }), "50 shapes");
+  says(refused([](Packing& p) { p.shapes[2].arms[1].half_length = NAN; }), "shape 2 has an arm 1 that is not finite");
+  says(refused([](Packing& p) { p.shapes[2].arms[1].radius = 0; }), "has no size");
+  says(refused([](Packing& p) { p.shapes[2].arms[1].direction = {0.5, 0, 0}; }), "no unit vector");
+  says(refused([](Packing& p) { p.shapes[2].arms[1].centre[2] = 1; }), "leaves the plane");
+  says(refused([](Packing& p) { p.shapes[1].arms.clear(); }), "shape 1 has no arms");
+  says(refused([](Packing& p) { p.shapes[1].volume = INFINITY; }), "volume that is not finite");
+  says(refused([](Packing& p) { p.contacts.part_i[6] = 3; }), "contact 6 joins parts 3 and");
+  says(refused([](Packing& p) { p.walls[0].radius = 0; }), "a cylinder has the radius 0");
+}
+
+/// A frame file whose content was changed by other hands and sealed again.
+TEST(FrameFile, ClustersOfOtherHandsAreChecked) {
+  const Folder folder;
+  const Packing p = random_packing({.dimension = 3, .grains = 3, .contacts = 2, .shapes = 2});
+  write_frame(folder / "frame.h5", p);
+  const std::string sound = unseal(bytes_of(folder / "frame.h5"), "frame.h5");
+  const auto changed = [&](const auto& from, const auto& to) {
+    std::string bytes = sound;
+    const std::string old(reinterpret_cast<const char*>(&from), sizeof from);
+    const auto at = bytes.find(old);
+    EXPECT_NE(at, std::string::npos);
+    std::memcpy(bytes.data() + at, &to, sizeof to);
+    put_bytes(folder / "frame.h5", seal(std::move(bytes)));
+    return error_of([&] { read_frame(folder / "frame.h5"); });
+  };
+  const Quaternion twice{2 * p.grains.orientation[1].w, 0, 0, 0};
+  EXPECT_NE(changed(p.grains.orientation[1], twice).find("in frame 0, grain 1 has an orientation"), std::string::npos);
+  EXPECT_NE(changed(p.grains.scale[2], -1.0).find("grain 2 has size factor -1"), std::string::npos);
+  EXPECT_NE(changed(p.shapes[1].arms[1].half_length, double{NAN}).find("shape 1 has an arm 1 that is not finite"),
+            std::string::npos);
+  const std::array<std::int32_t, 3> shapes{p.grains.shape[0], p.grains.shape[1], p.grains.shape[2]};
+  EXPECT_NE(changed(shapes, std::array<std::int32_t, 3>{0, 7, 0}).find("grain 1 is of shape 7"), std::string::npos);
+}
+
 TEST(FrameFile, TruncatedOrWrong) {
   const Folder folder;
   write_frame(folder / "whole.h5", random_packing({}));
@@ -149,6 +208,45 @@ TEST(RunFile, GrainsMayChangeAndGrowInNumber) {
     run.push_back(random_packing({.grains = grains, .seed = static_cast<unsigned>(grains)}));
   assemble_run(store(folder, run), folder / "run.h5", provenance);
   expect_run(folder / "run.h5", run);
+}
+
+/// Layers are added: more grains from frame to frame, those there were keep their shapes and sizes.
+TEST(RunFile, ClustersMayGrowInNumber) {
+  for (int dimension : {2, 3}) {
+    const Folder folder;
+    std::vector<Packing> run;
+    for (std::size_t k = 0; k < 5; ++k) {
+      run.push_back(random_packing({.dimension = dimension,
+                                    .grains = 300 * (1 + k / 2),
+                                    .bead_walls = 0,
+                                    .plane_walls = 2,
+                                    .seed = static_cast<unsigned>(k + 60),
+                                    .shapes = 1}));
+      run.back().shapes = run.front().shapes;
+      const Grains& first = run.front().grains;
+      std::copy(first.scale.begin(), first.scale.end(), run.back().grains.scale.begin());
+    }
+    assemble_run(store(folder, run), folder / "run.h5", provenance);
+    expect_run(folder / "run.h5", run);
+    assemble_run({folder / "0.h5", folder / "1.h5"}, folder / "lasting.h5", provenance);
+    expect_run(folder / "lasting.h5", {run[0], run[1]});
+  }
+}
+
+TEST(RunFile, ClustersOfOtherShapesDoNotMix) {
+  const Folder folder;
+  for (std::size_t shapes : {0u, 2u}) {
+    const Paths paths = store(folder, {random_packing({.shapes = 1}), random_packing({.shapes = shapes})});
+    EXPECT_NE(error_of([&] { assemble_run(paths, folder / "run.h5", provenance); }).find("other shapes"),
+              std::string::npos);
+  }
+}
+
+/// Files written before there were clusters: see data/README.md.
+TEST(RunFile, FilesOfVersion1StillRead) {
+  const std::filesystem::path data(IO_DATA);
+  expect_run(data / "v1-run.h5", {plain_packing(2, 0), plain_packing(2, 1)});
+  expect_same(read_frame(data / "v1-frame.h5"), plain_packing(2, 1));
 }
 
 TEST(RunFile, LargerThanAChunk) {
