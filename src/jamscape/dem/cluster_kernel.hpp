@@ -1,0 +1,65 @@
+// The three passes that a step of clusters is made of, each for several vector widths behind one table of functions.
+//
+//   collect    reads arms and pairs; writes which pairs touch, and where on their axes
+//   press      reads arms, rows, pairs and what was collected; reads and writes springs, forces, the tally
+//   integrate  reads forces, inverse inertias, own arms; reads and writes rows and momenta; writes arms; clears forces
+//
+// Order of sums: the forces of the c-th touching pair are added to its first body, then to its second, for c = 0, 1, 2,
+// ...; energies are summed in eight slots, c mod 8. Every implementation keeps that order and uses exact element-wise
+// operations only, so all of them give the same bits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "jamscape/contact/law.hpp"
+#include "jamscape/dem/cluster_list.hpp"
+#include "jamscape/dem/cluster_rules.hpp"
+
+namespace jam {
+
+/// The arm pairs that touch, in the order of the list.
+struct ArmContacts {
+  std::size_t count = 0;
+  Aligned<std::uint32_t> pair;     ///< index into the list
+  Aligned<double> s, t;            ///< closest points, along the axes from the arms' centres
+  Aligned<std::uint8_t> touching;  ///< a bit a listed pair
+  void resize(std::size_t pairs);  ///< room for all listed pairs
+};
+
+/// Sums over the contacts of one step.
+struct alignas(64) ClusterTally {
+  double damped[block];  ///< power of the dashpots
+  double rubbed[block];  ///< energy taken by friction
+  double excess[block];  ///< largest overlap - smaller radius: above 0 the axes are about to cross
+};
+
+struct PressRule {
+  PairLaw<> law;
+  NormalLaw kind;
+  ParallelRule parallel;
+  double parallel_sine2;  ///< of the angle below which arms count as parallel
+  double dt;
+};
+
+struct MotionRule {
+  double dt;
+  double farthest;  ///< out: what no point of any body moved farther than, in this step
+};
+
+/// One implementation, named by its vector width.
+struct ClusterKernels {
+  const char* name;
+  void (*collect)(const ClusterState&, const ArmPairs&, ArmContacts&);
+  void (*press)(ClusterState&, ArmPairs&, const ArmContacts&, const PressRule&, ClusterTally&);
+  void (*integrate)(ClusterState&, MotionRule&);
+};
+
+/// The readable one: loops over pairs, contacts, bodies. Oracle of the others.
+const ClusterKernels& plain_cluster_kernels();
+/// All that this processor runs, narrowest first.
+std::vector<const ClusterKernels*> available_cluster_kernels();
+/// The one of the name of best_kernels().
+const ClusterKernels& best_cluster_kernels();
+
+}  // namespace jam
