@@ -73,6 +73,13 @@ class ClusterEngine {
   const std::vector<ClusterWall>& walls() const { return walls_; }
   /// Of a plane, along its axis.
   void set_wall_velocity(std::size_t wall, double velocity) { walls_[wall].velocity = velocity; }
+  /// Puts a plane elsewhere along its axis, where it touches nobody or does so from the next compute_forces() on.
+  void place_wall(std::size_t wall, double position) {
+    walls_[wall].position = position;
+    stale_ = true;
+  }
+  /// Where the bodies end along an axis: the largest coordinate of their surfaces. 0 without bodies.
+  double highest(int axis) const;
   /// Of the grains on the wall, at the last compute_forces().
   Vec3 wall_force(std::size_t wall) const { return wall_force_[wall]; }
   /// More bodies from now on, before compute_forces(); their ids follow on. The constant of the energy ledger rises by
