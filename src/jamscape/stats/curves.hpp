@@ -14,4 +14,13 @@ std::vector<double> mean_curve(std::span<const std::vector<double>> curves, std:
 /// Of all curves.
 std::vector<double> mean_curve(std::span<const std::vector<double>> curves);
 
+/// Sum of `over` divided by sum of `under`, bin by bin, over the realisations named by `which`: pooled histograms
+/// (counts and norms) and pair counts (pairs and those of an ideal gas). NaN in a bin whose sum of `under` is not above
+/// 0. Values that are not finite count as 0. Errors as above.
+std::vector<double> ratio_of_sums(std::span<const std::vector<double>> over, std::span<const std::vector<double>> under,
+                                  std::span<const std::size_t> which);
+
+/// Sum of the curves named by `which`, bin by bin; values that are not finite count as 0. Errors as above.
+std::vector<double> sum_of_curves(std::span<const std::vector<double>> curves, std::span<const std::size_t> which);
+
 }  // namespace jam

@@ -1,0 +1,52 @@
+#include "jamscape/stats/force_tail.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "jamscape/base/error.hpp"
+
+namespace jam {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFirstBins = 0.3;       // mean forces; a maximum up to here is the end of a curve that falls from 0
+constexpr double kErrorsToStandOut = 2;  // the highest of many equal bins is some 2 errors above the lowest
+
+void check(std::span<const double> centre, std::span<const double> count, std::span<const double> norm) {
+  if (centre.size() != count.size() || centre.size() != norm.size())
+    throw data_error("a histogram needs as many counts and norms as bin centres");
+}
+
+double ratio(double count, double norm) { return norm > 0 ? count / norm : 0; }
+
+}  // namespace
+
+ForcePeak force_peak(std::span<const double> centre, std::span<const double> count, std::span<const double> norm) {
+  check(centre, count, norm);
+  const auto p = [&](std::size_t k) { return ratio(count[k], norm[k]); };
+  std::size_t first = 0;
+  while (first < centre.size() && !(centre[first] > kFirstBins + 1e-9)) ++first;
+  std::size_t peak = first;
+  for (std::size_t k = first; k < centre.size(); ++k)
+    if (p(k) > p(peak)) peak = k;
+  if (first == 0 || peak >= centre.size() || !(count[peak] > 0)) return {none, none, none, false};
+  std::size_t valley = 0;
+  for (std::size_t k = 0; k < peak; ++k)
+    if (p(k) < p(valley)) valley = k;
+  ForcePeak result{centre[peak], p(peak) - p(valley), 0, false};
+  for (const std::size_t k : {peak, valley})
+    result.error = std::hypot(result.error, ratio(std::sqrt(count[k]), norm[k]));
+  result.stands_out = result.prominence > kErrorsToStandOut * result.error;
+  return result;
+}
+
+ForceTail force_tail(std::span<const double> centre, std::span<const double> count, std::span<const double> norm) {
+  check(centre, count, norm);
+  std::vector<double> density(centre.size());
+  for (std::size_t k = 0; k < centre.size(); ++k) density[k] = ratio(count[k], norm[k]);
+  return {tail_exponent(centre, density), tail_exponent_loglinear(centre, density), fit_mueth(centre, density),
+          fit_gaussian(centre, density), force_peak(centre, count, norm)};
+}
+
+}  // namespace jam
