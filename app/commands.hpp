@@ -17,6 +17,7 @@ void add_measure(CLI::App& program, Action& action);
 void add_persistence(CLI::App& program, Action& action);
 void add_status(CLI::App& program, Action& action);
 void add_studies(CLI::App& program, Action& action);
+void add_shapes(CLI::App& program, Action& action);
 void add_explain(CLI::App& program, Action& action);
 
 }  // namespace jam::app

@@ -36,6 +36,7 @@ ExitCode run_program(int argc, char** argv) {
   app::add_measure(program, action);
   app::add_persistence(program, action);
   app::add_studies(program, action);
+  app::add_shapes(program, action);
   app::add_explain(program, action);
   check_subcommand(program, argc, argv);
   try {

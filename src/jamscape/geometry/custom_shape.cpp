@@ -6,7 +6,7 @@
 #include "jamscape/geometry/arm_union.hpp"
 #include "jamscape/geometry/arrange.hpp"
 #include "jamscape/geometry/cluster_shape.hpp"
-#include "jamscape/geometry/exposed.hpp"
+#include "jamscape/geometry/segments.hpp"
 
 namespace jam {
 namespace {
@@ -30,17 +30,6 @@ void check_arm(const Arm& arm, std::size_t number, int dimension) {
                       "a centre and a direction with z = 0, or dimension = 3");
 }
 
-/// How near the axes of two arms come. The squared distance of a point of one axis to the other is convex along it.
-double axis_gap(const Arm& a, const Arm& b) {
-  double lo = -a.half_length, hi = a.half_length;
-  const auto at = [&](double s) { return axis_distance2(b, a.centre + s * a.direction); };
-  for (int k = 0; k < 120 && hi > lo; ++k) {
-    const double c = lo + (hi - lo) / 3, d = hi - (hi - lo) / 3;
-    (at(c) < at(d) ? hi : lo) = at(c) < at(d) ? d : c;
-  }
-  return std::sqrt(at((lo + hi) / 2));
-}
-
 void check_connected(const std::vector<Arm>& arms) {
   std::vector<bool> reached(arms.size(), false);
   std::vector<std::size_t> next = {0};
@@ -49,7 +38,7 @@ void check_connected(const std::vector<Arm>& arms) {
     const std::size_t a = next.back();
     next.pop_back();
     for (std::size_t b = 0; b < arms.size(); ++b) {
-      if (reached[b] || axis_gap(arms[a], arms[b]) >= (1 - 1e-9) * (arms[a].radius + arms[b].radius)) continue;
+      if (reached[b] || axis_distance(arms[a], arms[b]) >= (1 - 1e-9) * (arms[a].radius + arms[b].radius)) continue;
       reached[b] = true;
       next.push_back(b);
     }
