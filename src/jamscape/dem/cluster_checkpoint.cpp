@@ -1,0 +1,144 @@
+// The state of an engine of clusters as named arrays, and back.
+#include <algorithm>
+#include <string>
+#include <type_traits>
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/dem/cluster_engine.hpp"
+
+namespace jam {
+namespace {
+
+constexpr std::int64_t layout_version = 1;
+constexpr const char* remedy = "delete it; the task then starts from its beginning";
+
+template <class Array>
+std::vector<double> reals(const Array& a) {
+  return {std::begin(a), std::end(a)};
+}
+template <class Array>
+std::vector<std::int64_t> integers(const Array& a) {
+  return {std::begin(a), std::end(a)};
+}
+std::vector<double> components(const std::vector<Vec3>& vectors) {
+  std::vector<double> out;
+  for (const Vec3& v : vectors) out.insert(out.end(), v.c, v.c + 3);
+  return out;
+}
+
+template <class Array>
+void take(const Archive& archive, const std::string& name, Array& to, std::size_t size) {
+  using Stored = std::conditional_t<std::is_floating_point_v<typename Array::value_type>, double, std::int64_t>;
+  const auto* from = find_entry<std::vector<Stored>>(archive, name);
+  if (!from) throw data_error("the checkpoint lacks '" + name + "'", {}, remedy);
+  if (from->size() != size)
+    throw data_error("the checkpoint is of another system: '" + name + "' has " + std::to_string(from->size()) +
+                         " entries instead of " + std::to_string(size),
+                     {}, remedy);
+  to.resize(size);
+  std::transform(from->begin(), from->end(), to.begin(),
+                 [](Stored a) { return static_cast<typename Array::value_type>(a); });
+}
+
+}  // namespace
+
+void ClusterEngine::save(Archive& out) const {
+  std::vector<double> wall_position, wall_velocity;
+  for (const ClusterWall& wall : walls_) {
+    wall_position.push_back(wall.position);
+    wall_velocity.push_back(wall.velocity);
+  }
+  out["clusters/counters"] = std::vector<std::int64_t>{layout_version,
+                                                       planar_,
+                                                       step_,
+                                                       lists_,
+                                                       stale_,
+                                                       static_cast<std::int64_t>(shapes_.size()),
+                                                       static_cast<std::int64_t>(bodies_.count()),
+                                                       static_cast<std::int64_t>(pairs_.count),
+                                                       static_cast<std::int64_t>(pairs_.size()),
+                                                       static_cast<std::int64_t>(ends_.size())};
+  out["clusters/scalars"] =
+      std::vector<double>{dt_, skin_, moved_, walls_moved_, damped_, rubbed_, wall_work_, gravity_work_};
+  out["clusters/rows"] = reals(bodies_.rows);
+  out["clusters/momentum"] = reals(bodies_.momentum);
+  out["clusters/inverse"] = reals(bodies_.inverse);
+  out["clusters/top"] = integers(bodies_.top);
+  out["clusters/id"] = integers(bodies_.id);
+  out["clusters/shape"] = integers(bodies_.shape);
+  out["clusters/scale"] = reals(bodies_.scale);
+  out["clusters/radius"] = reals(bodies_.radius);
+  out["clusters/pair_i"] = integers(pairs_.i);
+  out["clusters/pair_j"] = integers(pairs_.j);
+  out["clusters/pair_arm_i"] = integers(pairs_.arm_i);
+  out["clusters/pair_arm_j"] = integers(pairs_.arm_j);
+  out["clusters/pair_mbar"] = reals(pairs_.mbar);
+  out["clusters/pair_spring"] = reals(pairs_.springs);
+  out["clusters/pair_held"] = integers(pairs_.held);
+  out["clusters/end_wall"] = integers(ends_.wall);
+  out["clusters/end_arm"] = integers(ends_.arm);
+  out["clusters/end_end"] = integers(ends_.end);
+  out["clusters/end_held"] = integers(ends_.held);
+  out["clusters/end_spring"] = components(ends_.spring);
+  out["clusters/wall_position"] = wall_position;
+  out["clusters/wall_velocity"] = wall_velocity;
+}
+
+void ClusterEngine::load(const Archive& in) {
+  std::vector<std::int64_t> counters;
+  std::vector<double> scalars, end_spring, position, velocity;
+  take(in, "clusters/counters", counters, 10);
+  if (counters[0] != layout_version || counters[1] != planar_ ||
+      counters[5] != static_cast<std::int64_t>(shapes_.size()))
+    throw data_error("the checkpoint is of another version or another kind of system", {}, remedy);
+  const auto size = [&](std::size_t k) { return static_cast<std::size_t>(counters[k]); };
+  const std::size_t n = size(6), pairs = size(8), ends = size(9);
+  take(in, "clusters/scalars", scalars, 8);
+  take(in, "clusters/rows", bodies_.rows, n * ClusterRow::stride);
+  take(in, "clusters/momentum", bodies_.momentum, n * 4);
+  take(in, "clusters/inverse", bodies_.inverse, n * ClusterRow::force_stride);
+  take(in, "clusters/top", bodies_.top, n);
+  take(in, "clusters/id", bodies_.id, n);
+  take(in, "clusters/shape", bodies_.shape, n);
+  take(in, "clusters/scale", bodies_.scale, n);
+  take(in, "clusters/radius", bodies_.radius, n);
+  for (std::size_t k = 0; k < n; ++k)
+    if (bodies_.id[k] >= n || bodies_.shape[k] < 0 || static_cast<std::size_t>(bodies_.shape[k]) >= shapes_.size())
+      throw data_error("the checkpoint's bodies are inconsistent", {}, remedy);
+  rebuild_arms(bodies_, shapes_);
+
+  pairs_.count = size(7);
+  take(in, "clusters/pair_i", pairs_.i, pairs);
+  take(in, "clusters/pair_j", pairs_.j, pairs);
+  take(in, "clusters/pair_arm_i", pairs_.arm_i, pairs);
+  take(in, "clusters/pair_arm_j", pairs_.arm_j, pairs);
+  take(in, "clusters/pair_mbar", pairs_.mbar, pairs);
+  take(in, "clusters/pair_spring", pairs_.springs, pairs * 4);
+  take(in, "clusters/pair_held", pairs_.held, pairs / block);
+  take(in, "clusters/end_wall", ends_.wall, ends);
+  take(in, "clusters/end_arm", ends_.arm, ends);
+  take(in, "clusters/end_end", ends_.end, ends);
+  take(in, "clusters/end_held", ends_.held, ends);
+  take(in, "clusters/end_spring", end_spring, ends * 3);
+  ends_.spring.resize(ends);
+  for (std::size_t q = 0; q < ends; ++q) ends_.spring[q] = vec3(end_spring.data() + 3 * q);
+  take(in, "clusters/wall_position", position, walls_.size());
+  take(in, "clusters/wall_velocity", velocity, walls_.size());
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    walls_[w].position = position[w];
+    walls_[w].velocity = velocity[w];
+    wall_force_[w] = Vec3{};
+  }
+  const auto arms = static_cast<std::uint32_t>(bodies_.arm_count());
+  bool sound = pairs % block == 0 && pairs_.count <= pairs;
+  for (std::size_t k = 0; k < pairs; ++k)
+    sound = sound && pairs_.i[k] < n && pairs_.j[k] < n && pairs_.arm_i[k] < arms + 2 && pairs_.arm_j[k] < arms + 2;
+  for (std::size_t q = 0; q < ends; ++q) sound = sound && ends_.wall[q] < walls_.size() && ends_.arm[q] < arms;
+  if (!sound) throw data_error("the checkpoint's lists are inconsistent", {}, remedy);
+  contacts_.resize(pairs);
+  step_ = counters[2], lists_ = counters[3], stale_ = counters[4] != 0;
+  skin_ = scalars[1], moved_ = scalars[2], walls_moved_ = scalars[3];
+  damped_ = scalars[4], rubbed_ = scalars[5], wall_work_ = scalars[6], gravity_work_ = scalars[7];
+}
+
+}  // namespace jam

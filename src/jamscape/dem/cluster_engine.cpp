@@ -1,0 +1,237 @@
+#include "jamscape/dem/cluster_engine.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/dem/cluster_contact.hpp"
+#include "jamscape/dem/cluster_merge.hpp"
+
+namespace jam {
+namespace {
+
+using R = ClusterRow;
+
+/// The skin weighs the cost of making lists against that of listed pairs that do not touch, as in Engine: list_cost is
+/// the cost of a list over that of testing the pairs one more arm diameter of skin would list. Bounds in arm diameters.
+constexpr double list_cost = 40, thinnest_skin = 0.01, widest_skin = 0.3;
+/// Bodies are put back into spatial order at every so-manieth list.
+constexpr std::int64_t lists_per_order = 16;
+
+double sum(const double (&slots)[block]) {
+  double s = 0;
+  for (const double a : slots) s += a;
+  return s;
+}
+
+}  // namespace
+
+ClusterEngine::ClusterEngine(const ClusterSetup& setup, const ClusterKernels& kernels)
+    : kernels_(&kernels),
+      kind_(setup.kind),
+      grain_law_(setup.grain_law),
+      wall_law_(setup.wall_law),
+      dt_(setup.dt),
+      density_(setup.density),
+      planar_(setup.planar),
+      parallel_(setup.parallel),
+      parallel_sine2_(std::sin(setup.parallel_angle) * std::sin(setup.parallel_angle)),
+      duplicates_(setup.duplicates),
+      shapes_(setup.shapes),
+      gravity_(setup.gravity),
+      walls_(setup.walls) {
+  wall_force_.assign(walls_.size(), Vec3{});
+  append_bodies(bodies_, setup.bodies, shapes_, density_, planar_);
+  start_in_step(0);
+}
+
+void ClusterEngine::add(const ClusterBodies& bodies) {
+  const auto first_new = static_cast<std::uint32_t>(bodies_.count());
+  append_bodies(bodies_, bodies, shapes_, density_, planar_);
+  start_in_step(first_new);
+}
+
+/// The given velocities belong to this instant: those of bodies from `first_new` on are put back by half a step.
+void ClusterEngine::start_in_step(std::uint32_t first_new) {
+  stale_ = true;
+  const double dt = dt_;
+  dt_ = 0;
+  compute_forces();
+  dt_ = dt;
+  for (std::size_t k = 0; k < bodies_.count(); ++k) {
+    if (bodies_.id[k] < first_new) continue;
+    const double *force = bodies_.force(k), *inverse = bodies_.inverse.data() + k * R::force_stride;
+    for (std::size_t c = 0; c < 3; ++c) {
+      bodies_.row(k)[R::velocity + c] -= force[c] * inverse[c] * (dt_ / 2);
+      bodies_.momentum[4 * k + c] -= force[4 + c] * (dt_ / 2);
+    }
+  }
+  std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
+  std::fill(wall_force_.begin(), wall_force_.end(), Vec3{});
+  refresh(bodies_);
+}
+
+void ClusterEngine::relist() {
+  check();
+  const std::vector<std::uint32_t> old_arm_id = bodies_.arm_id;
+  double fastest = 0, thickness = 0;
+  for (std::size_t k = 0; k < bodies_.count(); ++k) {
+    const double* row = bodies_.row(k);
+    fastest = std::max(fastest, norm(vec3(row + R::velocity)) + norm(vec3(row + R::spin)) * row[R::reach]);
+  }
+  for (std::size_t a = 0; a < bodies_.arm_count(); ++a) thickness += 2 * bodies_.arm(a)[3];
+  if (bodies_.arm_count()) thickness /= static_cast<double>(bodies_.arm_count());
+  if (lists_++ % lists_per_order == 0) {
+    // arms keep their numbers, so that the springs of the old list are found by them
+    reorder(bodies_, spatial_order(bodies_), shapes_);
+  }
+  skin_ = std::clamp(std::sqrt(list_cost * thickness * 2 * fastest * dt_), thinnest_skin * thickness,
+                     widest_skin * thickness);
+  pairs_ = list_arm_pairs(bodies_, skin_, pairs_, old_arm_id);
+  ends_ = list_wall_ends(bodies_, walls_, skin_, ends_, old_arm_id);
+  contacts_.resize(pairs_.size());
+  moved_ = walls_moved_ = 0;
+  stale_ = false;
+}
+
+void ClusterEngine::compute_forces() {
+  if (stale_) relist();
+  ClusterTally tally{};
+  const PressRule rule{grain_law_, kind_, parallel_, parallel_sine2_, dt_};
+  kernels_->collect(bodies_, pairs_, contacts_);
+  if (duplicates_ == DuplicateRule::merge)
+    hand_over_springs(merge_duplicates(bodies_, pairs_, rule, contacts_), pairs_);
+  forget_parted();
+  std::fill(std::begin(tally.excess), std::end(tally.excess), -1.0);
+  kernels_->press(bodies_, pairs_, contacts_, rule, tally);
+  damped_ += sum(tally.damped) * dt_;
+  rubbed_ += sum(tally.rubbed);
+  for (const double e : tally.excess)
+    if (!(e <= 0)) fail_deep();
+  touch_walls();
+  if (dot(gravity_, gravity_) > 0) pull_down();
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    wall_work_ -= wall_force_[w][walls_[w].axis] * walls_[w].velocity * dt_;
+}
+
+/// Springs of pairs that touched at the last step and do not now.
+void ClusterEngine::forget_parted() {
+  for (std::size_t q = 0; q < pairs_.held.size(); ++q) {
+    for (unsigned lost = pairs_.held[q] & ~static_cast<unsigned>(contacts_.touching[q]); lost; lost &= lost - 1) {
+      double* spring = pairs_.springs.data() + 4 * (q * block + static_cast<std::size_t>(std::countr_zero(lost)));
+      if (!hertzian(kind_)) rubbed_ += spring_energy(grain_law_.k_t, vec3(spring));
+      std::fill_n(spring, 3, 0.0);
+    }
+    pairs_.held[q] = contacts_.touching[q];
+  }
+}
+
+void ClusterEngine::touch_walls() {
+  for (std::size_t q = 0; q < ends_.size(); ++q) {
+    const ClusterWall& wall = walls_[ends_.wall[q]];
+    const double* arm = bodies_.arm(ends_.arm[q]);
+    const WallTouch t = touch_wall(wall, arm, ends_.end[q]);
+    Vec3& spring = ends_.spring[q];
+    if (!(t.overlap > 0)) {
+      if (ends_.held[q] && !hertzian(kind_)) rubbed_ += spring_energy(wall_law_.k_t, spring);
+      spring = Vec3{};
+      ends_.held[q] = 0;
+      continue;
+    }
+    ends_.held[q] = 1;
+    const std::size_t k = bodies_.arm_body[ends_.arm[q]];
+    if (t.overlap > arm[3]) fail(k, "has an arm whose axis reaches through wall " + std::to_string(ends_.wall[q]));
+    const double* row = bodies_.row(k);
+    const Vec3 lever = t.point - vec3(row);
+    Vec3 v = vec3(row + R::velocity) + cross(vec3(row + R::spin), lever);
+    v[wall.axis] -= wall.velocity;
+    with_law(kind_, [&]<NormalLaw law>() {
+      const auto f = wall_law_.mu > 0
+                         ? touch<3, law, true>(wall_law_, t.normal, t.overlap, row[R::mass], v, Vec3{}, spring, dt_)
+                         : touch<3, law, false>(wall_law_, t.normal, t.overlap, row[R::mass], v, Vec3{}, spring, dt_);
+      const Vec3 force = (-f.normal) * t.normal + f.tangential, torque = cross(lever, force);
+      double* sum = bodies_.force(k);
+      for (int c = 0; c < 3; ++c) sum[c] += force[c], sum[4 + c] += torque[c];
+      wall_force_[ends_.wall[q]] -= force;
+      damped_ += f.damped * dt_;
+      rubbed_ += f.rubbed;
+    });
+  }
+}
+
+void ClusterEngine::pull_down() {
+  double power = 0;
+  for (std::size_t k = 0; k < bodies_.count(); ++k) {
+    const double* row = bodies_.row(k);
+    double* f = bodies_.force(k);
+    for (int c = 0; c < 3; ++c) {
+      f[c] += row[R::mass] * gravity_[c];
+      power += row[R::mass] * gravity_[c] * row[R::velocity + static_cast<std::size_t>(c)];
+    }
+  }
+  gravity_work_ += power * dt_;
+}
+
+void ClusterEngine::advance() {
+  MotionRule rule{dt_, 0};
+  kernels_->integrate(bodies_, rule);
+  double fastest_wall = 0;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    walls_[w].position += walls_[w].velocity * dt_;
+    fastest_wall = std::max(fastest_wall, std::abs(walls_[w].velocity));
+    wall_force_[w] = Vec3{};
+  }
+  moved_ += 1.0001 * rule.farthest;
+  walls_moved_ += fastest_wall * dt_;
+  stale_ = stale_ || !(2 * moved_ < skin_) || !(moved_ + walls_moved_ < skin_);
+  ++step_;
+  if (step_ % 1024 == 0) check();
+}
+
+void ClusterEngine::run(std::int64_t n) {
+  for (; n > 0; --n) {
+    compute_forces();
+    advance();
+  }
+}
+
+double ClusterEngine::kinetic_energy() const {
+  double sum = 0;
+  for (std::size_t k = 0; k < bodies_.count(); ++k) {
+    const double* row = bodies_.row(k);
+    const Vec3 v = vec3(row + R::velocity), w = vec3(row + R::spin), l = vec3(bodies_.momentum.data() + 4 * k);
+    sum += 0.5 * (row[R::mass] * dot(v, v) + dot(w, l));
+  }
+  return sum;
+}
+
+void ClusterEngine::check() const {
+  for (std::size_t k = 0; k < bodies_.count(); ++k)
+    for (std::size_t c = 0; c < R::stride; ++c)
+      if (!std::isfinite(bodies_.row(k)[c])) fail(k, "has a position or velocity that is not a number");
+}
+
+void ClusterEngine::fail_deep() const {
+  for (std::size_t c = 0; c < contacts_.count; ++c) {
+    const std::size_t k = contacts_.pair[c];
+    const double *one = bodies_.arm(pairs_.arm_i[k]), *two = bodies_.arm(pairs_.arm_j[k]);
+    const Segment<double> a = axis_of(one), b = axis_of(two);
+    const double overlap = one[3] + two[3] - std::sqrt(closest_points(a, b).distance2);
+    if (!(overlap <= smaller(one[3], two[3])))
+      fail(pairs_.i[k], "overlaps body " + std::to_string(bodies_.id[pairs_.j[k]]) + " by " + std::to_string(overlap) +
+                            ", more than the radius of an arm: their axes are about to cross");
+  }
+  check();
+  fail(0, "or another overlaps its neighbour by more than the radius of an arm");
+}
+
+void ClusterEngine::fail(std::size_t body, const std::string& problem) const {
+  const double* x = bodies_.row(body);
+  throw Diverged("step " + std::to_string(step_) + ": body " + std::to_string(bodies_.id[body]) + " at (" +
+                 std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + ") " + problem +
+                 "; likely the time step is too long for the stiffness, or bodies hit too hard");
+}
+
+}  // namespace jam

@@ -1,0 +1,213 @@
+// The full record of an instant: every contact by the same law function the kernels use, checked against their sums.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "jamscape/base/error.hpp"
+#include "jamscape/dem/cluster_contact.hpp"
+#include "jamscape/dem/cluster_engine.hpp"
+#include "jamscape/dem/cluster_merge.hpp"
+
+namespace jam {
+namespace {
+
+using R = ClusterRow;
+
+/// Velocity of a body's point at `lever` from its centre of mass.
+Vec3 velocity_at(const double* row, const Vec3& lever) {
+  return vec3(row + R::velocity) + cross(vec3(row + R::spin), lever);
+}
+
+/// Appends a contact's forces; returns the force on i.
+Vec3 append_forces(Contacts& out, ElasticEnergy& energy, const PairLaw<>& law, NormalLaw kind, const Vec3& n, double x,
+                   double mbar, const Vec3& v, Vec3 spring) {
+  const auto f = with_law(kind, [&]<NormalLaw normal>() {
+    energy.add<normal>(law, x, spring);
+    return law.mu > 0 ? touch<3, normal, true>(law, n, x, mbar, v, Vec3{}, spring, 0.0)
+                      : touch<3, normal, false>(law, n, x, mbar, v, Vec3{}, spring, 0.0);
+  });
+  out.overlap.push_back(x);
+  out.normal_force.push_back(f.normal);
+  out.normal.push_back(n);
+  out.tangential_force.push_back(f.tangential);
+  out.sliding.push_back(law.mu > 0 && norm(f.tangential) >= f.limit * (1 - 1e-9));
+  return (-f.normal) * n + f.tangential;
+}
+
+/// All arrays of contacts in the order of (i, j, part_i, part_j).
+void sort_contacts(Contacts& c) {
+  std::vector<std::size_t> order(c.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::tuple(c.i[a], c.j[a], c.part_i[a], c.part_j[a]) < std::tuple(c.i[b], c.j[b], c.part_i[b], c.part_j[b]);
+  });
+  const auto permute = [&](auto& values) {
+    const auto old = values;
+    for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[order[k]];
+  };
+  permute(c.i), permute(c.j), permute(c.part_i), permute(c.part_j), permute(c.image), permute(c.overlap);
+  permute(c.normal_force), permute(c.normal), permute(c.tangential_force), permute(c.point), permute(c.sliding);
+}
+
+void describe_walls(Packing& out, const std::vector<ClusterWall>& walls, const std::vector<Vec3>& force) {
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const ClusterWall& from = walls[w];
+    Wall wall;
+    wall.kind = from.kind;
+    wall.force = force[w];
+    if (from.kind == WallKind::plane) {
+      (from.high ? out.domain.hi : out.domain.lo)[from.axis] = from.position;
+      wall.position[from.axis] = from.position;
+      wall.normal[from.axis] = from.high ? -1 : 1;
+      wall.velocity[from.axis] = from.velocity;
+    } else {
+      for (int c = 0; c < 3; ++c)
+        if (c != from.axis) {
+          out.domain.lo[c] = from.centre[c] - from.radius;
+          out.domain.hi[c] = from.centre[c] + from.radius;
+        }
+      wall.position = from.centre;
+      wall.normal[from.axis] = 1;
+      wall.radius = from.radius;
+    }
+    out.walls.push_back(wall);
+  }
+}
+
+}  // namespace
+
+Packing ClusterEngine::record() const {
+  Packing out;
+  out.dimension = planar_ ? 2 : 3;
+  out.step = step_;
+  out.time = time();
+  out.shapes = shapes_;
+  describe_walls(out, walls_, wall_force_);
+
+  // Bodies by id. Rows hold the velocity half a step ago.
+  Grains& g = out.grains;
+  const std::size_t n = bodies_.count();
+  g.id.resize(n), g.species.resize(n), g.radius.resize(n), g.mass.resize(n);
+  g.position.resize(n), g.velocity.resize(n), g.spin.resize(n), g.angle.resize(n);
+  g.shape.resize(n), g.scale.resize(n), g.orientation.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t a = bodies_.id[k];
+    const double *row = bodies_.row(k), *force = bodies_.force(k);
+    const double* inverse = bodies_.inverse.data() + k * R::force_stride;
+    g.id[a] = static_cast<std::int64_t>(a);
+    g.radius[a] = bodies_.radius[k];
+    g.mass[a] = row[R::mass];
+    g.shape[a] = bodies_.shape[k];
+    g.scale[a] = bodies_.scale[k];
+    g.orientation[a] = bodies_.orientation(k);
+    g.position[a] = vec3(row);
+    Vec3 momentum;
+    for (int c = 0; c < 3; ++c) {
+      const auto e = static_cast<std::size_t>(c);
+      g.velocity[a][c] = row[R::velocity + e] + force[e] * inverse[e] * (dt_ / 2);
+      momentum[c] = bodies_.momentum[4 * k + e] + force[4 + e] * (dt_ / 2);
+    }
+    g.spin[a] = spin_of(bodies_, k, momentum);
+    out.energy.kinetic += 0.5 * (g.mass[a] * dot(g.velocity[a], g.velocity[a]) + dot(g.spin[a], momentum));
+  }
+
+  std::vector<Vec3> force_sum(n, Vec3{}), torque_sum(n, Vec3{});
+  for (std::size_t k = 0; k < n; ++k) force_sum[k] = bodies_.row(k)[R::mass] * gravity_;
+  ElasticEnergy energy;
+  double scale = 0, turning_scale = 0;
+  Contacts& c = out.contacts;
+  const auto add = [&](std::size_t body, const Vec3& lever, const Vec3& force) {
+    force_sum[body] += force;
+    torque_sum[body] += cross(lever, force);
+    scale = std::max(scale, norm(force));
+    turning_scale = std::max(turning_scale, norm(force) * norm(lever));
+  };
+  const auto part_of = [&](std::uint32_t arm) {
+    return static_cast<std::uint16_t>(arm - bodies_.first_arm[bodies_.arm_body[arm]]);
+  };
+
+  const PressRule rule{grain_law_, kind_, parallel_, parallel_sine2_, dt_};
+  ArmContacts touching;
+  touching.resize(pairs_.size());
+  plain_cluster_kernels().collect(bodies_, pairs_, touching);
+  if (duplicates_ == DuplicateRule::merge) merge_duplicates(bodies_, pairs_, rule, touching);
+  for (std::size_t q = 0; q < touching.count; ++q) {
+    const std::size_t k = touching.pair[q], i = pairs_.i[k], j = pairs_.j[k];
+    const double *one = bodies_.arm(pairs_.arm_i[k]), *two = bodies_.arm(pairs_.arm_j[k]);
+    const auto touch_of = [&]<ParallelRule parallel>() {
+      return touch_arms<parallel>(axis_of(one), one[3], axis_of(two), two[3], touching.s[q], touching.t[q],
+                                  parallel_sine2_);
+    };
+    const ArmTouch<double> t = parallel_ == ParallelRule::middle ? touch_of.template operator()<ParallelRule::middle>()
+                                                                 : touch_of.template operator()<ParallelRule::blend>();
+    const Vec3 lever_i = t.point - vec3(bodies_.row(i)), lever_j = t.point - vec3(bodies_.row(j));
+    const Vec3 v = velocity_at(bodies_.row(i), lever_i) - velocity_at(bodies_.row(j), lever_j);
+    const Vec3 force =
+        append_forces(c, energy, grain_law_, kind_, t.normal, t.overlap, pairs_.mbar[k], v, pairs_.spring(k));
+    add(i, lever_i, force);
+    add(j, lever_j, -1.0 * force);
+    c.i.push_back(bodies_.id[i]);
+    c.j.push_back(static_cast<std::int32_t>(bodies_.id[j]));
+    c.part_i.push_back(part_of(pairs_.arm_i[k]));
+    c.part_j.push_back(part_of(pairs_.arm_j[k]));
+    c.point.push_back(t.point);
+    c.image.push_back({});
+  }
+  for (std::size_t q = 0; q < ends_.size(); ++q) {
+    const ClusterWall& wall = walls_[ends_.wall[q]];
+    const WallTouch t = touch_wall(wall, bodies_.arm(ends_.arm[q]), ends_.end[q]);
+    if (!(t.overlap > 0)) continue;
+    const std::size_t i = bodies_.arm_body[ends_.arm[q]];
+    const double* row = bodies_.row(i);
+    const Vec3 lever = t.point - vec3(row);
+    Vec3 v = velocity_at(row, lever);
+    v[wall.axis] -= wall.velocity;
+    add(i, lever, append_forces(c, energy, wall_law_, kind_, t.normal, t.overlap, row[R::mass], v, ends_.spring[q]));
+    c.i.push_back(bodies_.id[i]);
+    c.j.push_back(-1 - static_cast<std::int32_t>(ends_.wall[q]));
+    c.part_i.push_back(part_of(ends_.arm[q]));
+    c.part_j.push_back(ends_.end[q]);
+    c.point.push_back(t.point);
+    c.image.push_back({});
+  }
+  sort_contacts(c);
+
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 force = vec3(bodies_.force(k)), torque = vec3(bodies_.force(k) + 4);
+    if (norm(force - force_sum[k]) > 1e-9 * (scale + norm(force)) ||
+        norm(torque - torque_sum[k]) > 1e-9 * (turning_scale + norm(torque)))
+      throw Error(ExitCode::bug, "the contacts of body " + std::to_string(bodies_.id[k]) + " at step " +
+                                     std::to_string(step_) + " do not add up to the force it was moved with");
+  }
+  out.energy.elastic = energy.normal + energy.tangential;
+  out.energy.damped = damped_;
+  out.energy.rubbed = hertzian(kind_) ? rubbed_ - energy.tangential : rubbed_;
+  out.energy.wall_work = wall_work_;
+  out.energy.gravity_work = gravity_work_;
+  return out;
+}
+
+ElasticEnergy ClusterEngine::elastic_energy() const {
+  ElasticEnergy sum;
+  ArmContacts touching;
+  touching.resize(pairs_.size());
+  plain_cluster_kernels().collect(bodies_, pairs_, touching);
+  const PressRule rule{grain_law_, kind_, parallel_, parallel_sine2_, dt_};
+  if (duplicates_ == DuplicateRule::merge) merge_duplicates(bodies_, pairs_, rule, touching);
+  with_law(kind_, [&]<NormalLaw law>() {
+    for (std::size_t q = 0; q < touching.count; ++q) {
+      const std::size_t k = touching.pair[q];
+      const double *one = bodies_.arm(pairs_.arm_i[k]), *two = bodies_.arm(pairs_.arm_j[k]);
+      const double distance = std::sqrt(closest_points(axis_of(one), axis_of(two)).distance2);
+      sum.add<law>(grain_law_, one[3] + two[3] - distance, pairs_.spring(k));
+    }
+    for (std::size_t q = 0; q < ends_.size(); ++q) {
+      const double x = touch_wall(walls_[ends_.wall[q]], bodies_.arm(ends_.arm[q]), ends_.end[q]).overlap;
+      if (x > 0) sum.add<law>(wall_law_, x, ends_.spring[q]);
+    }
+  });
+  return sum;
+}
+
+}  // namespace jam
