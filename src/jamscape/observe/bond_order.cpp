@@ -42,6 +42,14 @@ struct BondList {
   std::vector<Bond> bonds;
 };
 
+// From centre to centre; of discs and spheres that is the normal.
+Vec3 direction(const Packing& packing, std::size_t c) {
+  if (packing.shapes.empty()) return packing.contacts.normal[c];
+  const Vec3 l = branch(packing, c);
+  const double length = norm(l);
+  return length > 0 ? (1 / length) * l : packing.contacts.normal[c];
+}
+
 BondList list_bonds(const Packing& packing, const Bonds& pairs) {
   BondList list;
   list.begin.assign(pairs.grains.size() + 1, 0);
@@ -49,7 +57,7 @@ BondList list_bonds(const Packing& packing, const Bonds& pairs) {
   list.bonds.resize(list.begin.back());
   std::vector<std::uint32_t> next(list.begin.begin(), list.begin.end() - 1);
   for (const std::uint32_t c : pairs.contact) {
-    const Vec3& n = packing.contacts.normal[c];
+    const Vec3 n = direction(packing, c);
     list.bonds[next[packing.contacts.i[c]]++] = bond(n[0], n[1]);
     list.bonds[next[static_cast<std::size_t>(packing.contacts.j[c])]++] = bond(-n[0], -n[1]);
   }

@@ -1,7 +1,8 @@
 // Which bodies touch: the contacts of a packing seen as pairs of bodies.
 //
 // Two grains touch where a contact between them has overlap >= 0 (S1 App. B). A pair of bodies with several contacts
-// (clusters) is one bond. Wall contacts count for the degree of a grain but are no bonds.
+// (clusters) is one bond. Wall contacts count for the degree of a grain, each bead and each end of an arm for one, but
+// are no bonds.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace jam {
 struct Bonds {
   std::vector<std::uint32_t> contact;  ///< of each touching pair of grains: the index of its first contact
   std::vector<std::uint32_t> grains;   ///< of each grain: the number of grains it touches
-  std::vector<std::uint32_t> walls;    ///< of each grain: the number of its wall contacts (each bead is one)
+  std::vector<std::uint32_t> walls;    ///< of each grain: the number of its wall contacts
   std::size_t wall_contacts = 0;
 
   std::size_t size() const { return contact.size(); }
@@ -33,6 +34,9 @@ inline std::size_t next_of_pair(const Contacts& contacts, std::size_t c) {
              ? next
              : contacts.size();
 }
+
+/// From the centre of the first body of contact c to that of the second, the copy that touches; two grains only.
+Vec3 branch(const Packing& packing, std::size_t c);
 
 /// Force on the first body of a pair, summed over its contacts from contact c on: normal parts only, or all of it.
 Vec3 normal_force_of_pair(const Contacts& contacts, std::size_t c);

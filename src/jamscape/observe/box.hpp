@@ -1,11 +1,24 @@
-// The sides of the box: distances between opposite walls (bead-centre lines for bead walls) or periodic lengths.
+// The space the grains are in: distances between opposite walls (bead-centre lines for bead walls) or periodic lengths,
+// the cylinder around them, the lid on top.
 #pragma once
 
 #include "jamscape/observe/measure.hpp"
 
 namespace jam {
 
-/// Area (2D) or volume (3D) of Domain::lo..hi.
+/// The axis a wall's normal is along; of a cylinder, its own.
+int wall_axis(const Wall& wall, int dimension);
+
+/// The cylinder around the grains; none: null.
+const Wall* find_cylinder(const Packing& packing);
+
+/// The last wall that is no cylinder: what presses on a settled packing; null without walls.
+const Wall* find_lid(const Packing& packing);
+
+/// The axis of the lid, from floor to top; the last axis without a lid.
+int height_axis(const Packing& packing);
+
+/// Area (2D) or volume (3D) of Domain::lo..hi, or of the cylinder between its ends.
 double box_volume(const Packing& packing);
 
 Measure box_measure();

@@ -1,14 +1,13 @@
 #include "jamscape/observe/box_sides.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "jamscape/observe/box.hpp"
 
 namespace jam {
 
 int wall_side(const Wall& wall, int dimension) {
-  int axis = 0;
-  for (int a = 1; a < dimension; ++a)
-    if (std::abs(wall.normal[a]) > std::abs(wall.normal[axis])) axis = a;
+  const int axis = wall_axis(wall, dimension);
   return 2 * axis + (wall.normal[axis] < 0);
 }
 
@@ -17,7 +16,9 @@ std::vector<Sides> touched_sides(const Packing& packing) {
   std::vector<Sides> sides(packing.grains.size(), 0);
   for (std::size_t c = 0; c < k.size(); ++c) {
     if (k.j[c] >= 0 || !(k.overlap[c] >= 0) || !(k.normal_force[c] > 0)) continue;
-    const int side = wall_side(packing.walls[static_cast<std::size_t>(-1 - k.j[c])], packing.dimension);
+    const Wall& wall = packing.walls[static_cast<std::size_t>(-1 - k.j[c])];
+    if (wall.kind == WallKind::cylinder) continue;
+    const int side = wall_side(wall, packing.dimension);
     sides[k.i[c]] = static_cast<Sides>(sides[k.i[c]] | 1u << side);
   }
   return sides;

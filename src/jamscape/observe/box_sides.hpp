@@ -9,7 +9,8 @@
 
 namespace jam {
 
-/// The side of the box a wall stands on, by the direction of its normal: 2 axis, or 2 axis + 1 for the high side.
+/// The side of the box a wall stands on (a cylinder stands on none), by the direction of its normal: 2 axis, or 2 axis
+/// + 1 for the high side.
 int wall_side(const Wall& wall, int dimension);
 
 /// Of each grain the sides whose wall it touches: wall contacts with overlap >= 0 and positive normal force.

@@ -16,10 +16,12 @@ Measure contacts_measure() {
   return frame_measure(
       {"contacts", "contacts and their mean force",
        "edges of the force network: pairs of grains with overlap >= 0; wall contacts are no edges. mean_normal_force = "
-       "(1/edges) sum |F_n|, the force that weights are measured in.",
+       "(1/edges) sum |F_n|, the force that weights are measured in; of clusters that touch with several arms |sum F_n "
+       "n| "
+       "of the pair.",
        "S1 Sec. II.C, App. B"},
       {{"contacts", "", "edges of the force network"},
-       {"wall_contacts", "", "contacts of grains with walls (each bead of a wall is one)"},
+       {"wall_contacts", "", "contacts of grains with walls (each bead of a wall, each end of an arm is one)"},
        {"mean_normal_force", "m d/tau_c^2", "mean normal force of the edges; 0 without edges"}},
       [](const Snapshot& s) {
         return std::vector<double>{static_cast<double>(s.network().graph.edges()),

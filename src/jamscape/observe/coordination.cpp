@@ -25,12 +25,13 @@ Coordination coordination(const Bonds& bonds) {
 Measure coordination_measure() {
   return frame_measure(
       {"coordination", "mean contact number",
-       "z = 2 N_pp/N over all N grains, N_pp the touching pairs of grains (overlap >= 0). Rattlers are among the N: z "
-       "at "
-       "jamming is lower than the isostatic number of the rigid part.",
+       "z = 2 N_pp/N over all N grains, N_pp the touching pairs of grains (overlap >= 0; clusters that touch with "
+       "several "
+       "arms are one pair). Rattlers are among the N: z at jamming is lower than the isostatic number of the rigid "
+       "part.",
        "S1 Table I; theory sec. 4, 6a"},
       {{"z", "", "touching grains per grain, all grains, walls excluded"},
-       {"z_walls", "", "contacts per grain, wall contacts (each bead of a wall) counted"},
+       {"z_walls", "", "contacts per grain, wall contacts (each bead of a wall, each end of an arm) counted"},
        {"z_multi", "",
         "contacts per grain over the grains with two or more, wall contacts counted; 0 if there are none"},
        {"rattlers", "", "fraction of grains with fewer than two contacts, wall contacts counted"}},

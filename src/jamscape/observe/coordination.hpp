@@ -4,6 +4,8 @@
 //   z_walls = (2 N_pp + N_pw)/N     N_pw wall contacts
 //   z_multi = mean contacts, walls counted, of the grains with two or more; 0 where there are none
 //   rattlers = fraction of grains with fewer than two contacts, walls counted
+//
+// Two clusters that touch with several arms are one pair. With a wall every end of an arm is a contact.
 #pragma once
 
 #include "jamscape/observe/measure.hpp"

@@ -1,6 +1,7 @@
 #include "jamscape/observe/entry.hpp"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,8 @@ void require_columns(const std::string& measure, std::size_t given, std::size_t 
   if (given != declared)
     throw std::logic_error("measure " + measure + " gave another number of columns than it declares");
 }
+
+bool takes_rows(const Snapshot& s) { return is_multiple(s.packing().packing_fraction, s.options().rows_every); }
 
 }  // namespace
 
@@ -33,12 +36,21 @@ Measure frame_measure(MeasureText text, std::vector<ColumnInfo> columns,
   return m;
 }
 
+Measure seldom_measure(MeasureText text, std::vector<ColumnInfo> columns,
+                       std::function<std::vector<double>(const Snapshot&)> values) {
+  text.formula += " Missing at packing fractions that are no multiples of rows_every.";
+  const std::size_t count = columns.size();
+  return frame_measure(std::move(text), std::move(columns), [count, values = std::move(values)](const Snapshot& s) {
+    return takes_rows(s) ? values(s) : std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());
+  });
+}
+
 Measure rows_measure(MeasureText text, std::vector<ColumnInfo> columns, int abscissae, bool averaged,
                      std::function<std::vector<std::vector<double>>(const Snapshot&)> values) {
   Measure m{text.name, text.title, text.formula, text.source, Rows::many, columns, abscissae, averaged, {}};
   m.evaluate = [name = text.name, columns = std::move(columns), values = std::move(values)](const Snapshot& s) {
     Table table;
-    if (!is_multiple(s.packing().packing_fraction, s.options().rows_every)) {
+    if (!takes_rows(s)) {
       for (const ColumnInfo& c : columns) table.add(c.name, std::vector<double>{});
       return table;
     }

@@ -1,4 +1,4 @@
-// The two shapes in which a measure enters the registry. The names of its columns stand in its entry only: the
+// The shapes in which a measure enters the registry. The names of its columns stand in its entry only: the
 // functions give values in the order of the columns.
 #pragma once
 
@@ -17,6 +17,11 @@ struct MeasureText {
 /// One row a frame: a number per column.
 Measure frame_measure(MeasureText text, std::vector<ColumnInfo> columns,
                       std::function<std::vector<double>(const Snapshot&)> values);
+
+/// One row a frame of numbers that take their time (fits, resampling): evaluated only where rows_measure is, all
+/// columns missing (NaN) elsewhere.
+Measure seldom_measure(MeasureText text, std::vector<ColumnInfo> columns,
+                       std::function<std::vector<double>(const Snapshot&)> values);
 
 /// Several rows a frame: a vector per column, the `abscissae` leading ones name the row. Evaluated only where the
 /// packing fraction is a multiple of MeasureOptions::rows_every; a table without rows otherwise.

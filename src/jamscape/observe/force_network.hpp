@@ -1,6 +1,8 @@
 // The force network of a packing: the bridge from grains to graphs.
 //
-//   vertices  grains;   edges  pairs of grains that touch (wall contacts are no edges)
+//   vertices  grains;   edges  pairs of grains that touch, one however many contacts two clusters have (wall contacts
+//   are
+//             no edges)
 //   weight    f = |F|/<F>, at most `clamp`;   F = sum of F_n n over the contacts of the pair (S1), or of F_n n - f_t,
 //             the whole contact force (S2);   <F> = mean of |F| over the edges kept, before the clamp
 //

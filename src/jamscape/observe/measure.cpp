@@ -6,14 +6,19 @@
 #include "jamscape/observe/balance.hpp"
 #include "jamscape/observe/bond_order.hpp"
 #include "jamscape/observe/box.hpp"
+#include "jamscape/observe/contact_forces.hpp"
 #include "jamscape/observe/contacts.hpp"
 #include "jamscape/observe/coordination.hpp"
 #include "jamscape/observe/energy.hpp"
 #include "jamscape/observe/force_distribution.hpp"
+#include "jamscape/observe/force_tail.hpp"
 #include "jamscape/observe/level_sets.hpp"
 #include "jamscape/observe/pair_correlation.hpp"
+#include "jamscape/observe/particle_stress.hpp"
 #include "jamscape/observe/percolation.hpp"
 #include "jamscape/observe/persistence_measures.hpp"
+#include "jamscape/observe/radial_distribution.hpp"
+#include "jamscape/observe/solid_fraction.hpp"
 #include "jamscape/observe/stress.hpp"
 #include "jamscape/observe/walls.hpp"
 
@@ -33,11 +38,19 @@ const std::vector<Measure>& measures() {
       balance_measure(),
       energy_measure(),
       box_measure(),
+      solid_fraction_measure(),
+      contact_forces_measure(),
+      force_tail_measure(),
+      rdf_peaks_measure(),
       betti_measure(),
       level_sets_measure(),
       pair_correlation_measure(),
       force_distribution_measure(),
+      contact_force_distribution_measure(),
+      stress_distribution_measure(),
+      radial_distribution_measure(),
       diagram_measure(),
+      particle_stress_measure(),
   };
   return all;
 }

@@ -12,7 +12,7 @@ constexpr double kMostRows = 1e6;
 void check_grid(const char* max_key, double max, double step) {
   if (max / step < kMostRows) return;
   throw usage_error(fmt::format("{} steps of {} up to {} are too many", max / step, step, max), max_key,
-                    "take a larger step or a lower highest threshold");
+                    "take a larger step or a lower highest value");
 }
 
 }  // namespace
@@ -26,6 +26,7 @@ void check(const MeasureOptions& o) {
                       "measure.force_max", "give force_max above force_min");
   check_grid("measure.betti_max", o.betti_max, o.betti_step);
   check_grid("measure.level_max", o.level_max, o.level_step);
+  check_grid("measure.rdf_range", o.rdf_range, o.rdf_bin);
 }
 
 }  // namespace jam

@@ -24,6 +24,14 @@ struct EnumNames<ForceScale> {
                                                                        {ForceScale::linear, "linear"}};
 };
 
+/// Tetrahedra of four mutually linked grains: filled, or left out of the complex.
+enum class Tetrahedra { filled, hollow };
+template <>
+struct EnumNames<Tetrahedra> {
+  static constexpr std::pair<Tetrahedra, std::string_view> values[] = {{Tetrahedra::filled, "filled"},
+                                                                       {Tetrahedra::hollow, "hollow"}};
+};
+
 struct MeasureOptions {
   EdgeForce force = EdgeForce::normal;
   double clamp = 5;              // in mean forces; 0: none
@@ -40,7 +48,15 @@ struct MeasureOptions {
   ForceScale force_scale = ForceScale::log;
   double level_max = 3;
   double level_step = 0.05;
+  Tetrahedra tetrahedra = Tetrahedra::filled;
   bool rough_includes_edge = false;
+  double contact_force_max = 10;
+  std::int64_t contact_force_bins = 50;
+  double rdf_bin = 0.02;
+  double rdf_range = 4;
+  double rdf_margin_ends = 10;
+  double rdf_margin_sides = 10;
+  double rdf_margin_cylinder = 3;
 
   template <class V>
   void describe(V& v) {
@@ -93,14 +109,55 @@ struct MeasureOptions {
               .min = 1e-4,
               .max = 1e6,
               .source = "theory sec. 4"});
+    v.option("tetrahedra", tetrahedra,
+             {.text = "level sets: four mutually linked grains are filled and no void, or hollow and one (b2 only)",
+              .source = "S2 Sec. 5.1; theory sec. 4"});
     v.option("rough_includes_edge", rough_includes_edge,
              {.text = "persistence bins: a lifetime of exactly 0.1 is rough (S2) or not (S1)",
               .source = "S1 Sec. II.C, S2 Sec. 5.3"});
+    v.option("contact_force_max", contact_force_max,
+             {.text = "distributions of the contacts' forces and of the grains' stresses: end of the bins, in means",
+              .min = 0,
+              .max = 1e6,
+              .above_min = true,
+              .source = "S3, Data analysis"});
+    v.option("contact_force_bins", contact_force_bins,
+             {.text = "distributions of the contacts' forces and of the grains' stresses: number of bins from 0 on",
+              .min = 1,
+              .max = 1e5,
+              .source = "S3, Data analysis"});
+    v.option("rdf_bin", rdf_bin,
+             {.text = "radial distribution: width of a bin",
+              .unit = "L",
+              .min = 1e-4,
+              .max = 10,
+              .source = "theory sec. 4"});
+    v.option("rdf_range", rdf_range,
+             {.text = "radial distribution: largest distance", .unit = "L", .min = 0, .max = 1000, .above_min = true});
+    v.option("rdf_margin_ends", rdf_margin_ends,
+             {.text = "radial distribution: bodies closer than this to lid and floor are no references; a sixth of the "
+                      "height where this would leave less than a quarter of it",
+              .unit = "L",
+              .min = 0,
+              .max = 1000,
+              .source = "S3, Data analysis; theory sec. 4"});
+    v.option("rdf_margin_sides", rdf_margin_sides,
+             {.text = "radial distribution: the same from the walls at the sides",
+              .unit = "L",
+              .min = 0,
+              .max = 1000,
+              .source = "S3, Data analysis; theory sec. 4"});
+    v.option("rdf_margin_cylinder", rdf_margin_cylinder,
+             {.text = "radial distribution: the same from a cylinder",
+              .unit = "L",
+              .min = 0,
+              .max = 1000,
+              .source = "S3, Data analysis; theory sec. 4"});
   }
 };
 
 /// What no single option can say: throws a usage error, placed at the key, where the bins of forces are empty or start
-/// at 0 on a logarithmic scale, or a grid of thresholds has more than a million steps.
+/// at 0 on a logarithmic scale, or a grid of thresholds or distances has more than a million steps.
 void check(const MeasureOptions& options);
 
 }  // namespace jam

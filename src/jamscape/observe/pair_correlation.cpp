@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "jamscape/observe/entry.hpp"
 #include "jamscape/observe/point_grid.hpp"
+#include "jamscape/observe/room.hpp"
 
 namespace jam {
 namespace {
-
-// The box as the centres of the grains see it.
-struct Room {
-  Vec3 margin{};    // of each axis; 0 where periodic
-  double wall = 0;  // closest a centre comes to a wall
-};
 
 double mean_diameter(const Grains& grains) {
   const double sum = std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0);
@@ -24,67 +18,11 @@ double mean_diameter(const Grains& grains) {
 }
 
 Room room(const Packing& p, double margin, double diameter) {
-  Room r;
-  r.wall = diameter / 2;
-  double bead = 0;
-  for (const Wall& w : p.walls) bead = std::max(bead, w.bead_radius);
-  r.wall += bead;
+  Room r(p, diameter / 2);
   for (int a = 0; a < p.dimension; ++a)
-    if (!p.domain.periodic[static_cast<std::size_t>(a)])
-      r.margin[a] = std::min(margin * diameter, (p.domain.hi[a] - p.domain.lo[a]) / 6);
+    if (r.walled(a)) r.margin[a] = std::min(margin * diameter, r.width(a) / 6);
+  r.round_margin = std::min(margin * diameter, r.diameter() / 6);
   return r;
-}
-
-struct Reference {
-  bool inside = false;  // beyond the margin of every wall
-  double reach = 0;     // radius of the largest shell about it that stays inside the box
-};
-
-Reference reference(const Packing& p, const Room& room, const Vec3& x) {
-  Reference r{true, std::numeric_limits<double>::infinity()};
-  for (int a = 0; a < p.dimension; ++a) {
-    const double lo = p.domain.lo[a], hi = p.domain.hi[a];
-    if (p.domain.periodic[static_cast<std::size_t>(a)]) {
-      r.reach = std::min(r.reach, (hi - lo) / 2);
-      continue;
-    }
-    const double wall = std::min(x[a] - lo, hi - x[a]);
-    r.inside = r.inside && wall >= room.margin[a];
-    r.reach = std::min(r.reach, wall - room.wall);
-  }
-  return r;
-}
-
-std::vector<Vec3> wrapped_positions(const Packing& p) {
-  std::vector<Vec3> points = p.grains.position;
-  for (int a = 0; a < p.dimension; ++a) {
-    if (!p.domain.periodic[static_cast<std::size_t>(a)]) continue;
-    const double lo = p.domain.lo[a], side = p.domain.hi[a] - lo;
-    for (Vec3& x : points) x[a] -= side * std::floor((x[a] - lo) / side);
-  }
-  return points;
-}
-
-// The points and those of their periodic copies that are within `range` of the box.
-std::vector<Vec3> with_copies(const Packing& p, std::vector<Vec3> points, double range) {
-  for (int a = 0; a < p.dimension; ++a) {
-    if (!p.domain.periodic[static_cast<std::size_t>(a)]) continue;
-    const double lo = p.domain.lo[a], hi = p.domain.hi[a];
-    const std::size_t own = points.size();
-    for (std::size_t k = 0; k < own; ++k)
-      for (const double shift : {lo - hi, hi - lo}) {
-        Vec3 copy = points[k];
-        copy[a] += shift;
-        if (copy[a] > lo - range && copy[a] < hi + range) points.push_back(copy);
-      }
-  }
-  return points;
-}
-
-double shell(int dimension, double inner, double outer) {
-  constexpr double pi = std::numbers::pi;
-  if (dimension == 2) return pi * (outer * outer - inner * inner);
-  return 4 * pi / 3 * (outer * outer * outer - inner * inner * inner);
 }
 
 }  // namespace
@@ -99,12 +37,12 @@ PairCorrelation pair_correlation(const Packing& p, const MeasureOptions& options
 
   const double diameter = mean_diameter(p.grains), width = options.pair_bin * diameter;
   const Room around = room(p, options.pair_margin, diameter);
-  const std::vector<Vec3> position = wrapped_positions(p);
+  const std::vector<Vec3> position = around.wrapped(p.grains.position);
   std::vector<std::uint32_t> grains_with(bins + 1, 0);  // reference grains whose first so many bins count
   std::vector<std::uint32_t> bins_of(p.grains.size(), 0);
   std::size_t inside = 0;
   for (std::size_t i = 0; i < p.grains.size(); ++i) {
-    const Reference r = reference(p, around, position[i]);
+    const Room::Place r = around.place(position[i]);
     if (!r.inside) continue;
     ++inside;
     const double whole = std::min(std::floor(r.reach / width), static_cast<double>(bins));
@@ -117,7 +55,7 @@ PairCorrelation pair_correlation(const Packing& p, const MeasureOptions& options
   if (most == 0) return result;
 
   const double range = static_cast<double>(most) * width, per_width = 1 / width;
-  const PointGrid grid(with_copies(p, position, range), std::max(diameter, range / 6));
+  const PointGrid grid(around.with_copies(position, range), std::max(diameter, range / 6));
   std::vector<std::uint32_t> count(bins, 0);
   for (std::size_t i = 0; i < p.grains.size(); ++i) {
     if (bins_of[i] == 0) continue;
@@ -128,13 +66,11 @@ PairCorrelation pair_correlation(const Packing& p, const MeasureOptions& options
     --count[0];  // itself
   }
 
-  double volume = 1;
-  for (int a = 0; a < p.dimension; ++a) volume *= p.domain.hi[a] - p.domain.lo[a] - 2 * around.margin[a];
-  const double density = static_cast<double>(inside) / volume;
+  const double density = static_cast<double>(inside) / around.volume_inside();
   for (std::size_t b = 0; b < bins; ++b) {
     if (result.references[b] == 0) continue;
     const double inner = static_cast<double>(b) * width;
-    result.g[b] = count[b] / (result.references[b] * density * shell(p.dimension, inner, inner + width));
+    result.g[b] = count[b] / (result.references[b] * density * shell_volume(p.dimension, inner, inner + width));
   }
   return result;
 }

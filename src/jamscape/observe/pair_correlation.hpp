@@ -1,4 +1,4 @@
-// Pair correlation g(r) of the grain centres, r in mean diameters:
+// Pair correlation g(r) of the grain centres, r in mean diameters (clusters: of the circumscribed spheres):
 //
 //   g(r) = n(r)/(N_ref(r) rho s(r)),   s = pi (r_2^2 - r_1^2) in 2D, 4 pi (r_2^3 - r_1^3)/3 in 3D,
 //

@@ -8,18 +8,11 @@ namespace jam {
 std::array<Vec3, 3> stress(const Packing& packing) {
   const Contacts& k = packing.contacts;
   const Grains& g = packing.grains;
-  const Vec3 side = packing.domain.hi - packing.domain.lo;
   std::array<Vec3, 3> sigma{};
   for (std::size_t c = 0; c < k.size(); ++c) {
     const std::uint32_t i = k.i[c];
     const Vec3 f = k.tangential_force[c] - k.normal_force[c] * k.normal[c];
-    Vec3 arm{};
-    if (k.j[c] < 0) {
-      arm = k.point[c] - g.position[i];
-    } else {
-      arm = g.position[static_cast<std::size_t>(k.j[c])] - g.position[i];
-      for (int a = 0; a < 3; ++a) arm[a] += k.image[c][static_cast<std::size_t>(a)] * side[a];
-    }
+    const Vec3 arm = k.j[c] < 0 ? k.point[c] - g.position[i] : branch(packing, c);
     for (int a = 0; a < 3; ++a) sigma[static_cast<std::size_t>(a)] += f[a] * arm;
   }
   const double volume = box_volume(packing);
@@ -32,7 +25,7 @@ Measure stress_measure() {
   return frame_measure(
       {"stress", "mean contact stress",
        "sigma_ab = (1/V) sum_c f_a l_b, f the force on a grain, l from its centre to the contact point, wall contacts "
-       "included, V the box between the walls (bead-centre lines for bead walls). Negative trace in compression; "
+       "included, V the space between the walls (bead-centre lines for bead walls). Negative trace in compression; "
        "pressure = -trace/D. Off-diagonal elements are symmetrised; elements with z are 0 in two dimensions.",
        "S3 Eq. 8; theory sec. 4"},
       {{"stress_xx", unit, "negative in compression"},

@@ -10,14 +10,16 @@ WallForces wall_forces(const Packing& packing) {
   WallForces f;
   const Vec3 side = packing.domain.hi - packing.domain.lo;
   const double volume = box_volume(packing);
-  double sum = 0;
+  double sum = 0, walls = 0;
   for (const Wall& wall : packing.walls) {
+    if (wall.kind == WallKind::cylinder) continue;
     const int at = wall_side(wall, packing.dimension);
     const double force = -dot(wall.force, wall.normal);
     f.normal[static_cast<std::size_t>(at)] += force;
     if (volume > 0) sum += force / (volume / side[at / 2]);
+    ++walls;
   }
-  if (!packing.walls.empty()) f.pressure = sum / static_cast<double>(packing.walls.size());
+  if (walls > 0) f.pressure = sum / walls;
   return f;
 }
 
@@ -26,10 +28,9 @@ Measure walls_measure() {
   return frame_measure(
       {"walls", "forces on the walls",
        "wall_force = -F.n with F the force of all grains on a wall and n its normal into the domain: positive when the "
-       "wall "
-       "is pushed outward. wall_pressure: mean over the walls of force over length (area). Walls that are not there "
-       "have "
-       "force 0.",
+       "wall is pushed outward. wall_pressure: mean over the walls of force over length (area). Walls that are not "
+       "there "
+       "have force 0; a cylinder, whose sum over all directions says nothing, is left out.",
        "theory sec. 1"},
       {{"wall_force_x_lo", unit, "normal force on the wall at small x"},
        {"wall_force_x_hi", unit, "normal force on the wall at large x"},

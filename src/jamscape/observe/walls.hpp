@@ -3,7 +3,8 @@
 //   wall_force = -F.n, F the force of the grains on the wall, n its normal into the domain: positive when pushed
 //   outward wall_pressure = mean over the walls of wall_force/(length of the wall between its neighbours)
 //
-// A wall is known by the direction of its normal. Walls that are not there (periodic sides, z in 2D) have force 0.
+// A wall is known by the direction of its normal; a cylinder is left out: its forces cancel. Walls that are not there
+// (periodic sides, z in 2D) have force 0.
 #pragma once
 
 #include <array>

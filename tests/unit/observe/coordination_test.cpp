@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jamscape/geometry/cluster_shape.hpp"
 #include "jamscape/observe/backbone.hpp"
 #include "jamscape/observe/contacts.hpp"
 #include "packings.hpp"
@@ -27,6 +28,22 @@ TEST(Coordination, CountsWallsAndRattlersAsItSays) {
   EXPECT_DOUBLE_EQ(c.z_walls, (2 * 2 + 1) / 4.0);
   EXPECT_DOUBLE_EQ(c.z_multi, 2);         // grains 0 (wall and grain) and 1
   EXPECT_DOUBLE_EQ(c.rattlers, 2 / 4.0);  // grains 2 and 3
+}
+
+TEST(Coordination, ClustersThatTouchWithSeveralArmsAreOnePair) {
+  Packing p = box(2, {20, 9, 0});
+  p.shapes = {cross_shape(4)};
+  add_walls(p);
+  for (const double x : {3.0, 6.5, 15.0}) add_body(p, {x, 2, 0});
+  add_contact_at(p, 0, -3, {2, 0, 0}, {0, -1, 0}, 1);  // two ends of an arm on the floor
+  add_contact_at(p, 0, -3, {4, 0, 0}, {0, -1, 0}, 1, {}, 0, 1);
+  for (std::uint16_t arm = 0; arm < 3; ++arm) add_contact_at(p, 0, 1, {4.7, 2.0 + arm, 0}, {1, 0, 0}, 2, {}, arm, 0);
+  const Bonds bonds = find_bonds(p);
+  const Coordination c = coordination(bonds);
+  EXPECT_DOUBLE_EQ(c.z, 2 * 1 / 3.0);
+  EXPECT_DOUBLE_EQ(c.z_walls, (2 * 1 + 2) / 3.0);
+  EXPECT_DOUBLE_EQ(c.rattlers, 2 / 3.0);  // body 1 touches one body, however often
+  EXPECT_DOUBLE_EQ(mean_normal_force(Snapshot(p, {})), 6);
 }
 
 TEST(Coordination, OfNothing) {

@@ -93,6 +93,29 @@ TEST(LevelSets, VoidsAreHollowOctahedraAndNotFilledTetrahedra) {
   EXPECT_EQ(filled["shape"][0], 6 / 4.);
 }
 
+TEST(LevelSets, HollowTetrahedraAreVoidsToo) {
+  MeasureOptions hollow;
+  hollow.tetrahedra = Tetrahedra::hollow;
+  EXPECT_EQ(columns(tetrahedron())["b2"][0], 0);
+  EXPECT_EQ(columns(tetrahedron(), hollow)["b2"][0], 1);
+  EXPECT_EQ(columns(octahedron())["b2"][0], 1);
+  EXPECT_EQ(columns(octahedron(), hollow)["b2"][0], 1);
+
+  // One edge of the tetrahedron is weaker: .5 against 1.1 mean forces. Above it there are two triangles and no void.
+  Packing p = tetrahedron();
+  p.contacts.normal_force[4] = 5. / 11;
+  Columns c = columns(p, hollow);
+  for (std::size_t k = 0; k < c["threshold"].size(); ++k) EXPECT_EQ(c["b2"][k], c["threshold"][k] < 0.5 ? 1 : 0) << k;
+
+  // Five grains that all touch: the triangles alone have 4 voids, of the 5 tetrahedra.
+  Packing five = box(3, {4, 4, 4});
+  for (int k = 0; k < 5; ++k) add_grain(five, {1 + 0.1 * k, 2, 2});
+  for (std::uint32_t i = 0; i < 5; ++i)
+    for (std::int32_t j = static_cast<std::int32_t>(i) + 1; j < 5; ++j) add_contact(five, i, j, 1);
+  EXPECT_EQ(columns(five)["b2"][0], 0);
+  EXPECT_EQ(columns(five, hollow)["b2"][0], 4);
+}
+
 /// Grains so many that they join the walls, with random forces.
 Packing crowd(int dimension) {
   Packing p = ideal_gas(dimension, {12, 12, 12}, dimension == 2 ? 260 : 1300, false, 8);

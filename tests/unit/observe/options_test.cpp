@@ -34,6 +34,10 @@ TEST(MeasureOptions, AreCheckedTogether) {
   o.betti_max = 1e6;
   o.betti_step = 0.5;
   EXPECT_EQ(place_of_complaint(o), "measure.betti_max");
+  o = {};
+  o.rdf_range = 1000;
+  o.rdf_bin = 1e-4;
+  EXPECT_EQ(place_of_complaint(o), "measure.rdf_range");
 }
 
 }  // namespace

@@ -31,6 +31,49 @@ inline void add_grain(Packing& p, Vec3 x, double radius = 0.5) {
   g.angle.push_back({});
 }
 
+/// A cluster of the packing's shape of this index.
+inline void add_body(Packing& p, Vec3 x, std::int32_t shape = 0, double scale = 1, Quaternion turn = {}) {
+  const ClusterShape& s = p.shapes[static_cast<std::size_t>(shape)];
+  add_grain(p, x, scale * s.circumradius);
+  p.grains.mass.back() = scale * scale * scale * s.volume;
+  p.grains.shape.push_back(shape);
+  p.grains.scale.push_back(scale);
+  p.grains.orientation.push_back(turn);
+}
+
+/// A contact at a point, of the parts given; wall forces are kept.
+inline void add_contact_at(Packing& p, std::uint32_t i, std::int32_t j, Vec3 point, Vec3 normal, double force,
+                           Vec3 tangential = {}, std::uint16_t part_i = 0, std::uint16_t part_j = 0) {
+  Contacts& k = p.contacts;
+  k.i.push_back(i);
+  k.j.push_back(j);
+  k.part_i.push_back(part_i);
+  k.part_j.push_back(part_j);
+  k.image.push_back({});
+  k.overlap.push_back(0.01);
+  k.normal_force.push_back(force);
+  k.normal.push_back(normal);
+  k.tangential_force.push_back(tangential);
+  k.point.push_back(point);
+  k.sliding.push_back(0);
+  if (j < 0) p.walls[static_cast<std::size_t>(-1 - j)].force += force * normal - tangential;
+}
+
+/// A cylinder along y around the box's middle, then floor and lid; the box around it is given.
+inline void add_cylinder(Packing& p) {
+  Wall side;
+  side.kind = WallKind::cylinder;
+  side.position = 0.5 * (p.domain.lo + p.domain.hi);
+  side.normal = {0, 1, 0};
+  side.radius = 0.5 * (p.domain.hi[0] - p.domain.lo[0]);
+  Wall floor, lid;
+  floor.position = p.domain.lo;
+  floor.normal = {0, 1, 0};
+  lid.position = p.domain.hi;
+  lid.normal = {0, -1, 0};
+  p.walls = {side, floor, lid};
+}
+
 /// A contact with given forces; the geometry follows from the grains (or, for a wall, from its position and normal).
 inline void add_contact(Packing& p, std::uint32_t i, std::int32_t j, double force, Vec3 tangential = {},
                         std::array<std::int8_t, 3> image = {}) {
@@ -126,6 +169,19 @@ inline Packing ideal_gas(int dimension, Vec3 side, int count, bool periodic, std
     Vec3 x{};
     for (int a = 0; a < dimension; ++a) x[a] = random.uniform(0, side[a]);
     add_grain(p, x);
+  }
+  return p;
+}
+
+/// Points without any order in a cylinder of this diameter along y, between floor and lid.
+inline Packing ideal_gas_in_cylinder(double diameter, double height, int count, std::uint64_t seed = 1) {
+  Packing p = box(3, {diameter, height, diameter});
+  add_cylinder(p);
+  Random random(seed, "ideal gas", 0, "cylinder");
+  const double r = diameter / 2;
+  while (p.grains.size() < static_cast<std::size_t>(count)) {
+    const Vec3 x{random.uniform(0, diameter), random.uniform(0, height), random.uniform(0, diameter)};
+    if ((x[0] - r) * (x[0] - r) + (x[2] - r) * (x[2] - r) < r * r) add_grain(p, x);
   }
   return p;
 }

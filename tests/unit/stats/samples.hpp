@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -30,7 +31,7 @@ inline std::vector<double> mueth_sample(std::size_t n, std::uint64_t seed) {
 
 /// |standard normal|, by Box and Muller.
 inline double normal(Random& random) {
-  return std::sqrt(2 * exponential(random)) * std::cos(2 * M_PI * random.uniform());
+  return std::sqrt(2 * exponential(random)) * std::cos(2 * std::numbers::pi * random.uniform());
 }
 
 /// Counts in S3's bins: 50 of .2 on [0, 10].

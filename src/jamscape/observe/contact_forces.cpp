@@ -1,0 +1,87 @@
+#include "jamscape/observe/contact_forces.hpp"
+
+#include <algorithm>
+
+#include "jamscape/observe/entry.hpp"
+
+namespace jam {
+namespace {
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+double fraction_above(const std::vector<double>& values, double limit) {
+  const auto above = std::count_if(values.begin(), values.end(), [&](double f) { return f > limit; });
+  return values.empty() ? 0 : static_cast<double>(above) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::vector<double> contact_forces(const Packing& packing) {
+  const Contacts& k = packing.contacts;
+  std::vector<double> forces;
+  forces.reserve(k.size());
+  for (std::size_t c = 0; c < k.size(); ++c)
+    if (k.j[c] >= 0 && k.normal_force[c] > 0) forces.push_back(k.normal_force[c]);
+  return forces;
+}
+
+std::vector<double> over_mean(std::vector<double> values) {
+  const double m = mean(values);
+  if (m > 0)
+    for (double& v : values) v /= m;
+  return values;
+}
+
+std::vector<std::vector<double>> distribution_columns(const std::vector<double>& values,
+                                                      const MeasureOptions& options) {
+  Histogram h(Spacing::linear, 0, options.contact_force_max, static_cast<std::size_t>(options.contact_force_bins));
+  for (const double v : values) h.add(v);
+  std::vector<double> norm;
+  for (std::size_t b = 0; b < h.bins(); ++b)
+    norm.push_back(static_cast<double>(h.total()) * (h.edges()[b + 1] - h.edges()[b]));
+  return {h.centres(), h.density(), {h.counts().begin(), h.counts().end()}, norm};
+}
+
+Measure contact_forces_measure() {
+  return frame_measure(
+      {"contact_forces", "forces of single contacts",
+       "F_n of every contact between bodies with F_n > 0, several contacts of two clusters each by itself; f = "
+       "F_n/<F_n>. Wall contacts are left out.",
+       "S3, Contact force distributions; theory sec. 4"},
+      {{"force_contacts", "", "contacts between bodies with F_n > 0"},
+       {"mean_contact_force", "m d/tau_c^2", "<F_n>, mean normal force of these contacts; 0 without contacts"},
+       {"fraction_above_max", "", "fraction of them beyond the last bin of P(f), option contact_force_max"},
+       {"fraction_above_8", "", "fraction of them with f > 8"},
+       {"largest_force", "<F_n>", "largest f; 0 without contacts"}},
+      [](const Snapshot& s) {
+        std::vector<double> forces = contact_forces(s.packing());
+        const double average = mean(forces);
+        forces = over_mean(std::move(forces));
+        return std::vector<double>{static_cast<double>(forces.size()), average,
+                                   fraction_above(forces, s.options().contact_force_max), fraction_above(forces, 8),
+                                   forces.empty() ? 0 : *std::max_element(forces.begin(), forces.end())};
+      });
+}
+
+Measure contact_force_distribution_measure() {
+  Measure m = rows_measure(
+      {"contact_force_distribution", "distribution of the normal forces of single contacts",
+       "P(f), f = F_n/<F_n> over the contacts between bodies with F_n > 0, several contacts of two clusters each by "
+       "itself; linear bins from 0 on. density = count/norm, norm = contacts times width of the bin: forces beyond the "
+       "last bin count in it, so the integral over the bins is at most 1.",
+       "S3, Data analysis, Fig. 5; theory sec. 4"},
+      {{"force", "<F_n>", "centre of the bin"},
+       {"density", "1/<F_n>", "P(f)"},
+       {"count", "", "contacts in the bin"},
+       {"norm", "<F_n>", "all contacts times the width of the bin"}},
+      1, true,
+      [](const Snapshot& s) { return distribution_columns(over_mean(contact_forces(s.packing())), s.options()); });
+  m.ratios = {{"density_pooled", "count", "norm", "P(f) of all contacts of all realisations, f in means of each"}};
+  return m;
+}
+
+}  // namespace jam
