@@ -13,11 +13,6 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-double fraction_above(const std::vector<double>& values, double limit) {
-  const auto above = std::count_if(values.begin(), values.end(), [&](double f) { return f > limit; });
-  return values.empty() ? 0 : static_cast<double>(above) / static_cast<double>(values.size());
-}
-
 }  // namespace
 
 std::vector<double> contact_forces(const Packing& packing) {
@@ -58,12 +53,17 @@ Measure contact_forces_measure() {
        {"fraction_above_8", "", "fraction of them with f > 8"},
        {"largest_force", "<F_n>", "largest f; 0 without contacts"}},
       [](const Snapshot& s) {
-        std::vector<double> forces = contact_forces(s.packing());
-        const double average = mean(forces);
-        forces = over_mean(std::move(forces));
-        return std::vector<double>{static_cast<double>(forces.size()), average,
-                                   fraction_above(forces, s.options().contact_force_max), fraction_above(forces, 8),
-                                   forces.empty() ? 0 : *std::max_element(forces.begin(), forces.end())};
+        const std::vector<double> forces = contact_forces(s.packing());
+        const double average = mean(forces), end = s.options().contact_force_max * average;
+        double beyond_end = 0, beyond_8 = 0, largest = 0;
+        for (const double force : forces) {
+          beyond_end += force > end;
+          beyond_8 += force > 8 * average;
+          largest = std::max(largest, force);
+        }
+        const auto n = static_cast<double>(forces.size());
+        if (forces.empty()) return std::vector<double>(5, 0.0);
+        return std::vector<double>{n, average, beyond_end / n, beyond_8 / n, largest / average};
       });
 }
 

@@ -61,13 +61,12 @@ Measure solid_fraction_measure() {
        {"deepest_overlap", "d", "largest overlap of all contacts, walls among them; 0 without contacts"}},
       [](const Snapshot& s) {
         const Packing& p = s.packing();
-        const double area = sum_over(p.grains.size(), [&](std::size_t i) { return body_area(p, i); });
-        const std::vector<double>& overlap = p.contacts.overlap;
+        double area = 0, deepest = 0;
+        if (p.dimension == 2) area = sum_over(p.grains.size(), [&](std::size_t i) { return body_area(p, i); });
+        for (const double overlap : p.contacts.overlap) deepest = std::max(deepest, overlap);
         const int axis = height_axis(p);
-        return std::vector<double>{
-            solid_fraction(p), p.dimension == 2 ? ratio(area, box_volume(p)) : 0, p.domain.hi[axis] - p.domain.lo[axis],
-            weight_over_load(p),
-            overlap.empty() ? 0 : std::max(0.0, *std::max_element(overlap.begin(), overlap.end()))};
+        return std::vector<double>{solid_fraction(p), ratio(area, box_volume(p)), p.domain.hi[axis] - p.domain.lo[axis],
+                                   weight_over_load(p), deepest};
       });
 }
 
