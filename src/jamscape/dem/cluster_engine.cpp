@@ -100,12 +100,12 @@ void ClusterEngine::compute_forces() {
   if (stale_) relist();
   ClusterTally tally{};
   const PressRule rule{grain_law_, kind_, parallel_, parallel_sine2_, dt_};
-  kernels_->collect(bodies_, pairs_, contacts_);
+  contacts_.count = kernels_->collect(collect_arrays(bodies_, pairs_, contacts_));
   if (duplicates_ == DuplicateRule::merge)
     hand_over_springs(merge_duplicates(bodies_, pairs_, rule, contacts_), pairs_);
   forget_parted();
   std::fill(std::begin(tally.excess), std::end(tally.excess), -1.0);
-  kernels_->press(bodies_, pairs_, contacts_, rule, tally);
+  kernels_->press(press_arrays(bodies_, pairs_, contacts_, rule, tally));
   damped_ += sum(tally.damped) * dt_;
   rubbed_ += sum(tally.rubbed);
   for (const double e : tally.excess)
@@ -175,15 +175,15 @@ void ClusterEngine::pull_down() {
 }
 
 void ClusterEngine::advance() {
-  MotionRule rule{dt_, 0};
-  kernels_->integrate(bodies_, rule);
+  MotionArrays motion = motion_arrays(bodies_, dt_);
+  kernels_->integrate(motion);
   double fastest_wall = 0;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     walls_[w].position += walls_[w].velocity * dt_;
     fastest_wall = std::max(fastest_wall, std::abs(walls_[w].velocity));
     wall_force_[w] = Vec3{};
   }
-  moved_ += 1.0001 * rule.farthest;
+  moved_ += 1.0001 * motion.farthest;
   walls_moved_ += fastest_wall * dt_;
   stale_ = stale_ || !(2 * moved_ < skin_) || !(moved_ + walls_moved_ < skin_);
   ++step_;

@@ -6,7 +6,25 @@
 
 namespace jam {
 
-std::vector<const ClusterKernels*> available_cluster_kernels() { return {&plain_cluster_kernels()}; }
+#ifdef JAM_X86
+const ClusterKernels& avx2_cluster_kernels();
+const ClusterKernels& avx512_cluster_kernels();
+#endif
+
+std::vector<const ClusterKernels*> available_cluster_kernels() {
+  std::vector<const ClusterKernels*> list{&plain_cluster_kernels()};
+#ifdef JAM_X86
+  const KernelList runs = available_kernels();
+  const auto has = [&](const ClusterKernels& kernels) {
+    for (int k = 0; k < runs.count; ++k)
+      if (std::string_view(runs.entry[k]->name) == kernels.name) return true;
+    return false;
+  };
+  for (const ClusterKernels* kernels : {&avx2_cluster_kernels(), &avx512_cluster_kernels()})
+    if (has(*kernels)) list.push_back(kernels);
+#endif
+  return list;
+}
 
 const ClusterKernels& best_cluster_kernels() {
   const std::string_view name = best_kernels().name;
@@ -24,6 +42,32 @@ void ArmContacts::resize(std::size_t pairs) {
   s.resize(pairs + block);
   t.resize(pairs + block);
   touching.assign(pairs / block, 0);
+}
+
+CollectArrays collect_arrays(const ClusterState& b, const ArmPairs& p, ArmContacts& out) {
+  return {b.arms.data(),   p.arm_i.data(), p.arm_j.data(), p.size(),
+          out.pair.data(), out.s.data(),   out.t.data(),   out.touching.data()};
+}
+
+PressArrays press_arrays(ClusterState& b, ArmPairs& p, const ArmContacts& c, const PressRule& rule,
+                         ClusterTally& tally) {
+  return {b.rows.data(), b.arms.data(),    b.forces.data(), p.i.data(), p.j.data(), p.arm_i.data(), p.arm_j.data(),
+          p.mbar.data(), p.springs.data(), c.pair.data(),   c.s.data(), c.t.data(), c.count,        &rule,
+          &tally};
+}
+
+MotionArrays motion_arrays(ClusterState& b, double dt) {
+  return {b.rows.data(),
+          b.arms.data(),
+          b.forces.data(),
+          b.momentum.data(),
+          b.inverse.data(),
+          b.own_arms.data(),
+          b.top.data(),
+          b.first_arm.data(),
+          b.count(),
+          dt,
+          0};
 }
 
 }  // namespace jam

@@ -24,6 +24,7 @@ struct ArmContacts {
   Aligned<std::uint32_t> pair;     ///< index into the list
   Aligned<double> s, t;            ///< closest points, along the axes from the arms' centres
   Aligned<std::uint8_t> touching;  ///< a bit a listed pair
+
   void resize(std::size_t pairs);  ///< room for all listed pairs
 };
 
@@ -42,17 +43,62 @@ struct PressRule {
   double dt;
 };
 
-struct MotionRule {
+/// Calls f.operator()<friction, parallel>() for a rule known at run time only.
+template <class F>
+JAM_INLINE void with_rule(const PressRule& rule, F&& f) {
+  const bool middle = rule.parallel == ParallelRule::middle;
+  if (rule.law.mu > 0)
+    middle ? f.template operator()<true, ParallelRule::middle>() : f.template operator()<true, ParallelRule::blend>();
+  else
+    middle ? f.template operator()<false, ParallelRule::middle>() : f.template operator()<false, ParallelRule::blend>();
+}
+
+// Bare arrays (see ClusterState, ArmPairs, ArmContacts): code built for a wider vector must not lend its copies of
+// library functions to the rest of the program.
+
+struct CollectArrays {
+  const double* arms;
+  const std::uint32_t *arm_i, *arm_j;
+  std::size_t pairs;  ///< whole blocks
+  std::uint32_t* pair;
+  double *s, *t;
+  std::uint8_t* touching;
+};
+
+struct PressArrays {
+  const double *rows, *arms;
+  double* forces;
+  const std::uint32_t *i, *j, *arm_i, *arm_j;
+  const double* mbar;
+  double* springs;
+  const std::uint32_t* pair;
+  const double *s, *t;
+  std::size_t contacts;
+  const PressRule* rule;
+  ClusterTally* tally;
+};
+
+struct MotionArrays {
+  double *rows, *arms, *forces, *momentum;
+  const double *inverse, *own_arms;
+  const std::uint8_t* top;
+  const std::uint32_t* first_arm;
+  std::size_t count;
   double dt;
   double farthest;  ///< out: what no point of any body moved farther than, in this step
 };
 
+CollectArrays collect_arrays(const ClusterState& bodies, const ArmPairs& pairs, ArmContacts& out);
+PressArrays press_arrays(ClusterState& bodies, ArmPairs& pairs, const ArmContacts& contacts, const PressRule& rule,
+                         ClusterTally& tally);
+MotionArrays motion_arrays(ClusterState& bodies, double dt);
+
 /// One implementation, named by its vector width.
 struct ClusterKernels {
   const char* name;
-  void (*collect)(const ClusterState&, const ArmPairs&, ArmContacts&);
-  void (*press)(ClusterState&, ArmPairs&, const ArmContacts&, const PressRule&, ClusterTally&);
-  void (*integrate)(ClusterState&, MotionRule&);
+  std::size_t (*collect)(const CollectArrays&);  ///< how many touch
+  void (*press)(const PressArrays&);
+  void (*integrate)(MotionArrays&);
 };
 
 /// The readable one: loops over pairs, contacts, bodies. Oracle of the others.

@@ -106,15 +106,15 @@ inline void place_arms(const double* row, const Frame& f, const double* own, dou
   }
 }
 
-inline void integrate(ClusterState& b, MotionRule& rule) {
+inline void integrate(MotionArrays& b) {
   using R = ClusterRow;
-  const double dt = rule.dt;
+  const double dt = b.dt;
   double fastest = 0;
-  for (std::size_t k = 0; k < b.count(); ++k) {
-    double* row = b.row(k);
-    double* force = b.force(k);
-    double* momentum = b.momentum.data() + 4 * k;
-    const double* inverse = b.inverse.data() + k * R::force_stride;
+  for (std::size_t k = 0; k < b.count; ++k) {
+    double* row = b.rows + k * R::stride;
+    double* force = b.forces + k * R::force_stride;
+    double* momentum = b.momentum + 4 * k;
+    const double* inverse = b.inverse + k * R::force_stride;
     four(row + R::velocity) += four(force) * four(inverse) * dt;
     four(row) += four(row + R::velocity) * dt;
     four(momentum) += four(force + 4) * dt;
@@ -141,9 +141,9 @@ inline void integrate(ClusterState& b, MotionRule& rule) {
     const double* v = row + R::velocity;
     fastest = larger(fastest, square_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) + square_root(spin2) * reach);
     const std::size_t from = b.first_arm[k], count = b.first_arm[k + 1] - from;
-    place_arms(row, f, b.own_arms.data() + from * R::arm_stride, b.arms.data() + from * R::arm_stride, count);
+    place_arms(row, f, b.own_arms + from * R::arm_stride, b.arms + from * R::arm_stride, count);
   }
-  rule.farthest = fastest * dt;
+  b.farthest = fastest * dt;
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ Packing ClusterEngine::record() const {
   const PressRule rule{grain_law_, kind_, parallel_, parallel_sine2_, dt_};
   ArmContacts touching;
   touching.resize(pairs_.size());
-  plain_cluster_kernels().collect(bodies_, pairs_, touching);
+  touching.count = plain_cluster_kernels().collect(collect_arrays(bodies_, pairs_, touching));
   if (duplicates_ == DuplicateRule::merge) merge_duplicates(bodies_, pairs_, rule, touching);
   for (std::size_t q = 0; q < touching.count; ++q) {
     const std::size_t k = touching.pair[q], i = pairs_.i[k], j = pairs_.j[k];
@@ -192,7 +192,7 @@ ElasticEnergy ClusterEngine::elastic_energy() const {
   ElasticEnergy sum;
   ArmContacts touching;
   touching.resize(pairs_.size());
-  plain_cluster_kernels().collect(bodies_, pairs_, touching);
+  touching.count = plain_cluster_kernels().collect(collect_arrays(bodies_, pairs_, touching));
   const PressRule rule{grain_law_, kind_, parallel_, parallel_sine2_, dt_};
   if (duplicates_ == DuplicateRule::merge) merge_duplicates(bodies_, pairs_, rule, touching);
   with_law(kind_, [&]<NormalLaw law>() {
