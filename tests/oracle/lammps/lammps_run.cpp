@@ -1,12 +1,10 @@
 #include "lammps_run.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
-#include <stdexcept>
+
+#include "lammps_program.hpp"
 
 namespace jam::lammps {
 namespace {
@@ -18,42 +16,11 @@ constexpr int grains = 620;  // packing fraction .634
 // law.in says the same
 constexpr Law between_grains{1e4, 4e3, 100, 30, 0.4}, at_walls{6e3, 5e3, 150, 40, 0.3};
 
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// Runs one of the inputs as one process with one thread.
-void run(const fs::path& folder, const std::string& script, const std::string& variables) {
-  const std::string command = "cd '" + folder.string() + "' && OMP_NUM_THREADS=1 lmp -in " + script + ".in -log " +
-                              script + ".log -screen none " + variables + " </dev/null >" + script + ".out 2>&1";
-  if (std::system(command.c_str()) == 0) return;
-  const std::string said = text_of(folder / (script + ".log")) + text_of(folder / (script + ".out"));
-  throw std::runtime_error(command + "\nended with:\n" + said.substr(said.size() > 1500 ? said.size() - 1500 : 0));
-}
-
-/// The rows of a LAMMPS dump of one instant.
-std::vector<std::vector<double>> rows_of(const fs::path& path) {
-  std::ifstream in(path);
-  std::string line;
-  while (std::getline(in, line) && !line.starts_with("ITEM: ATOMS") && !line.starts_with("ITEM: ENTRIES")) {
-  }
-  std::vector<std::vector<double>> rows;
-  while (std::getline(in, line)) {
-    std::istringstream words(line);
-    rows.emplace_back(std::istream_iterator<double>(words), std::istream_iterator<double>());
-  }
-  if (rows.empty()) throw std::runtime_error("no rows in " + path.string());
-  return rows;
-}
-
 Vec3 three(const std::vector<double>& row, std::size_t first) {
   return {row.at(first), row.at(first + 1), row.at(first + 2)};
 }
 
 }  // namespace
-
-bool installed() { return std::system("command -v lmp >/dev/null 2>&1") == 0; }
 
 Packed::Packed(const std::string& name) : folder_((fs::path(JAM_LAMMPS_RUNS) / name).string()) {
   fs::remove_all(folder_);

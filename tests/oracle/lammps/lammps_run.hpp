@@ -10,9 +10,6 @@
 
 namespace jam::lammps {
 
-/// Whether the program lmp can be run.
-bool installed();
-
 struct ContactForce {
   double normal;
   Vec3 tangential;  ///< on the first grain

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lammps_program.hpp"
 #include "lammps_run.hpp"
 
 namespace jam::lammps {
