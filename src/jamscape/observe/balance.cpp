@@ -24,7 +24,9 @@ Measure balance_measure() {
   return frame_measure(
       {"balance", "unbalanced force",
        "(mean over grains of |sum of contact forces|)/(mean over contacts of |contact force|), wall contacts "
-       "included; 0 at rest, and without contacts",
+       "included; 0 at rest, and without contacts. Gravity is no contact force: under it a packing at rest has the "
+       "weight of "
+       "a grain over the mean contact force.",
        "theory sec. 1; as in Yade"},
       {{"unbalanced_force", "", "mean net force on a grain over the mean contact force"}},
       [](const Snapshot& s) { return std::vector<double>{unbalanced_force(s.packing())}; });

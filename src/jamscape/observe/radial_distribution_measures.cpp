@@ -47,8 +47,7 @@ Measure radial_distribution_measure() {
        "rdf_margin_sides, rdf_margin_cylinder, or by a sixth of a width of which those would leave less than a quarter "
        "(columns of rdf_peaks say what was used), and count at r only while their shell stays inside; between the "
        "sides of "
-       "a thin slab the ideal gas has the part of the shell that is inside. In S3 printed without 2 pi and 4 pi, and "
-       "over N instead of N_ref.",
+       "a thin slab the ideal gas has the part of the shell that is inside. S3 prints 4 r^2 Delta r and N in place of N_ref.",
        "S3 Eqs. 9, 10, Fig. 7; theory sec. 4, 5"},
       {{"distance", "L", "centre of the bin"},
        {"g", "", "G(r); missing without references"},
