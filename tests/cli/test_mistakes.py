@@ -37,6 +37,15 @@ class Mistakes(Case):
         self.complaint(STUDY.replace("contact.friction = 0.5", "contact.friction = -0.5"), "bad.toml:31:20",
                        "out of range", "at least 0")
 
+    def test_what_cannot_start_is_said_before_anything_runs(self):
+        bad = STUDY.replace("[domain]", "[domain]\ndimension = 3") if "[domain]" in STUDY else (
+            STUDY.replace("[integrator]", "[domain]\ndimension = 3\n\n[integrator]"))
+        for arguments in ((), ("--dry-run",)):
+            self.complaint(bad, "domain.walls", "bead walls are for two dimensions", arguments=arguments)
+            self.complaint(STUDY.replace("contact.friction = 0.5", 'contact.damping = "printed"'),
+                           "damping rule cannot reach",
+                           arguments=arguments)
+
     def test_unknown_name(self):
         self.complaint(STUDY.replace('"gear5"', '"gear"'), "bad.toml:11:10", '"verlet", "gear5"', "gear5")
 

@@ -79,8 +79,8 @@ TEST(Steps, stand_on_a_grid_that_ends_at_the_last_packing_fraction) {
   const std::size_t n = relaxed.size();
   ASSERT_GE(n, 5u);  // ..., .79, .83, .87, as far down as the box begins
   for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(relaxed[n - 1 - k], 0.87 - 0.04 * static_cast<double>(k), 1e-9);
-  EXPECT_LT(relaxed[0] - 0.04,
-            t.box.packing_fraction(start_box(climbing(2), draw_diameters(climbing(2).grains, {1, "grid", 0})).length));
+  const StartBox box = start_box(climbing(2), draw_diameters(climbing(2).grains, {1, "grid", 0}));
+  EXPECT_LT(relaxed[0] - 0.04, box.measure.packing_fraction(box.length));
   EXPECT_EQ(t.legs.size(), 2 * n);
   EXPECT_EQ(t.plan.frames.size(), 3 * n);
   EXPECT_GE(t.plan.frames[1].step, 0);

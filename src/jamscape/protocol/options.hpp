@@ -10,7 +10,9 @@
 
 #include "jamscape/base/option.hpp"
 #include "jamscape/contact/options.hpp"
+#include "jamscape/dem/cluster_rules.hpp"
 #include "jamscape/dem/scheme.hpp"
+#include "jamscape/protocol/stage_options.hpp"
 
 namespace jam {
 
@@ -21,8 +23,21 @@ struct EnumNames<SizeLaw> {
       {SizeLaw::monodisperse, "monodisperse"}, {SizeLaw::uniform, "uniform"}, {SizeLaw::bidisperse, "bidisperse"}};
 };
 
+/// What a grain is: a disc or sphere, or a rigid cluster of spherocylinders (theory sec. 2.6).
+enum class BodyShape { ball, sphere, rod, cross, star, custom };
+template <>
+struct EnumNames<BodyShape> {
+  static constexpr std::pair<BodyShape, std::string_view> values[] = {
+      {BodyShape::ball, "ball"},   {BodyShape::sphere, "sphere"}, {BodyShape::rod, "rod"},
+      {BodyShape::cross, "cross"}, {BodyShape::star, "star"},     {BodyShape::custom, "custom"}};
+};
+
 struct GrainOptions {
   std::int64_t count = 2025;
+  BodyShape shape = BodyShape::ball;
+  double aspect = 3;
+  std::vector<double> arms;
+  double density = 1;
   SizeLaw sizes = SizeLaw::uniform;
   double width = 0.4;       // r_p
   double size_ratio = 1.4;  // bidisperse
@@ -32,7 +47,24 @@ struct GrainOptions {
   template <class V>
   void describe(V& v) {
     v.option("count", count, {.text = "number of grains", .min = 1, .max = 1e8});
-    v.option("sizes", sizes, {.text = "distribution of the diameters, mean 1 d", .source = "S1 Sec. II.A"});
+    v.option("shape", shape,
+             {.text = "ball: discs or spheres in a box that shrinks; the others are rigid clusters of spherocylinders "
+                      "in a container: sphere, rod, cross (2 arms at right angles), star (3), custom (`arms`)",
+              .source = "S3 Methods"});
+    v.option("aspect", aspect,
+             {.text = "rod, cross, star: length over diameter of an arm, L/d", .min = 1, .max = 1000, .source = "S3"});
+    v.option(
+        "arms", arms,
+        {.text = "custom: eight numbers an arm: its centre (3), direction (3), length tip to tip and diameter, in d"});
+    v.option("density", density,
+             {.text = "clusters: mass over the volume of the union",
+              .unit = "m/d^3",
+              .min = 0,
+              .above_min = true,
+              .source = "S3 Table 1"});
+    v.option("sizes", sizes,
+             {.text = "distribution of the diameters (clusters: size factors of the whole body), mean 1 d",
+              .source = "S1 Sec. II.A"});
     v.option("width", width,
              {.text = "uniform sizes: full width r_p, diameters in (1 - r_p/2, 1 + r_p/2) d",
               .unit = "d",
@@ -47,11 +79,17 @@ struct GrainOptions {
   }
 };
 
-enum class WallModel { beads, flat, periodic };
+/// beads, flat and periodic boxes shrink on all sides; box and cylinder are containers with a floor, fixed sides and a
+/// lid.
+enum class WallModel { beads, flat, periodic, box, cylinder };
+constexpr bool is_container(WallModel walls) { return walls == WallModel::box || walls == WallModel::cylinder; }
 template <>
 struct EnumNames<WallModel> {
-  static constexpr std::pair<WallModel, std::string_view> values[] = {
-      {WallModel::beads, "beads"}, {WallModel::flat, "flat"}, {WallModel::periodic, "periodic"}};
+  static constexpr std::pair<WallModel, std::string_view> values[] = {{WallModel::beads, "beads"},
+                                                                      {WallModel::flat, "flat"},
+                                                                      {WallModel::periodic, "periodic"},
+                                                                      {WallModel::box, "box"},
+                                                                      {WallModel::cylinder, "cylinder"}};
 };
 
 /// Where a box of bead walls ends (theory sec. 6a); L is the side between the lines of bead centres, d the bead
@@ -89,12 +127,30 @@ struct DomainOptions {
   BeadRows bead_rows = BeadRows::rigid;
   BoxConvention box = BoxConvention::half_beads;
   AreaConvention area = AreaConvention::nominal;
+  double width = 30;
+  double thickness = 1;
+  double gravity = 0;
 
   template <class V>
   void describe(V& v) {
     v.option("dimension", dimension, {.text = "number of space dimensions", .min = 2, .max = 3});
     v.option("walls", walls,
-             {.text = "what confines the grains: rows of touching beads, flat walls, or a periodic box"});
+             {.text = "what confines the grains: rows of touching beads, flat walls, or a periodic box, which shrink; "
+                      "or a container with fixed sides and a lid: box, or an upright cylinder",
+              .source = "S1 App. A; S3 Methods"});
+    v.option(
+        "width", width,
+        {.text = "container: width of the box or diameter of the cylinder, in lengths L of a body of size factor 1",
+         .min = 1,
+         .max = 1e6,
+         .source = "S3 Methods"});
+    v.option("thickness", thickness,
+             {.text = "box in three dimensions: its thickness in lengths L; at least the largest body",
+              .min = 1,
+              .max = 1e6,
+              .source = "S3 Methods"});
+    v.option("gravity", gravity,
+             {.text = "acceleration down the second axis", .unit = "d/tau_c^2", .min = 0, .max = 1e6});
     v.option("bead_phase", bead_phase,
              {.text = "shift of the rows of beads along themselves", .unit = "d", .min = 0, .max = 1});
     v.option("bead_rows", bead_rows, {.text = "rows of beads keep their spacing, or close up with the box"});
@@ -122,15 +178,27 @@ struct IntegratorOptions {
   }
 };
 
+/// A regular lattice, or places at random where no two bodies touch (clusters): denser, so that the fall is shorter.
+enum class StartLayout { lattice, random };
+template <>
+struct EnumNames<StartLayout> {
+  static constexpr std::pair<StartLayout, std::string_view> values[] = {{StartLayout::lattice, "lattice"},
+                                                                        {StartLayout::random, "random"}};
+};
+
 struct StartOptions {
+  StartLayout layout = StartLayout::lattice;
   double packing_fraction = 0.6;
   double gap = 0.01;
   double speed = 0.05;
 
   template <class V>
   void describe(V& v) {
+    v.option("layout", layout,
+             {.text = "container: bodies on a lattice of pitch L_max + gap, or at random places at packing_fraction",
+              .source = "S3 Methods"});
     v.option("packing_fraction", packing_fraction,
-             {.text = "packing fraction of the start lattice; less where the largest grains need more room",
+             {.text = "packing fraction of the start; less where the largest grains of a lattice need more room",
               .min = 0,
               .max = 1,
               .above_min = true});
@@ -144,90 +212,22 @@ struct StartOptions {
   }
 };
 
-enum class StageKind {
-  compress,  ///< all walls move inward at constant speed
-  relax,     ///< the walls stand still until the grains have come to rest; one frame at the end
-  steps      ///< compress by `increment`, relax, and so on; one frame after each relaxation
-};
-template <>
-struct EnumNames<StageKind> {
-  static constexpr std::pair<StageKind, std::string_view> values[] = {
-      {StageKind::compress, "compress"}, {StageKind::relax, "relax"}, {StageKind::steps, "steps"}};
-};
-
-/// When a relaxation ends: the first of three (theory sec. 1, note g).
-struct RelaxOptions {
-  std::int64_t window = 150000;
-  double fluctuation = 0.1;
-  double energy = 1e-10;
-  double windows = 10;
+/// How arms of clusters touch where the geometry leaves a choice (theory sec. 3).
+struct ClusterOptions {
+  ParallelRule parallel = ParallelRule::middle;
+  double parallel_angle = 2;
+  DuplicateRule duplicates = DuplicateRule::literal;
 
   template <class V>
   void describe(V& v) {
-    v.option("relax_window", window,
-             {.text = "relax: time steps over which the kinetic energy is looked at",
-              .min = 100,
-              .max = 1e9,
-              .source = "S2 Sec. 3"});
-    v.option("relax_fluctuation", fluctuation,
-             {.text = "relax: ends where the kinetic energy's standard deviation over a window is at most this part of "
-                      "its mean",
-              .min = 0,
-              .max = 1,
-              .source = "S2 Sec. 3"});
-    v.option("relax_energy", energy,
-             {.text = "relax: ends where the kinetic energy is below this part of the elastic energy (of its value at "
-                      "the start, where nothing touches)",
-              .min = 0,
-              .max = 1,
-              .source = "theory 1, note g"});
-    v.option("relax_windows", windows,
-             {.text = "relax: ends after so many windows at the latest; such a frame is marked as not relaxed",
-              .min = 0,
-              .max = 1e6,
-              .above_min = true,
-              .source = "theory 1, note g"});
-  }
-};
-
-/// One stage of the protocol ([[stage]] in the study file), done in order.
-struct StageOptions {
-  std::string name;
-  StageKind kind = StageKind::compress;
-  double to = 0.9;
-  double speed = 2.5e-5;
-  std::int64_t frames = 0;
-  std::vector<double> frames_at;
-  double increment = 0.02;
-  std::int64_t frames_inside = 0;
-  RelaxOptions relax{};
-
-  template <class V>
-  void describe(V& v) {
-    v.option("name", name, {.text = "name of the stage in the tables; its kind and number when empty"});
-    v.option("kind", kind,
-             {.text = "what is done: compress moves all walls inward at constant speed; relax stops them until the "
-                      "grains rest; steps does both in turn, by an increment of packing fraction each"});
-    v.option("to", to, {.text = "packing fraction at which the stage ends", .min = 0, .max = 2, .above_min = true});
-    v.option("speed", speed,
-             {.text = "speed of each wall",
-              .unit = "d/tau_c",
-              .min = 0,
-              .max = 1,
-              .above_min = true,
-              .source = "S1 App. A"});
-    v.option("frames", frames,
-             {.text = "number of frames, evenly spaced in packing fraction, both ends included", .min = 0, .max = 1e6});
-    v.option("frames_at", frames_at, {.text = "packing fractions of further frames", .min = 0, .max = 2});
-    v.option("increment", increment,
-             {.text = "steps: packing fraction from one relaxation to the next, on a grid that ends at `to`",
-              .min = 1e-6,
-              .max = 1,
-              .source = "S2 Sec. 3"});
-    v.option(
-        "frames_inside", frames_inside,
-        {.text = "steps: frames inside each increment, the last one just before its relaxation", .min = 0, .max = 1e6});
-    relax.describe(v);
+    v.option("parallel", parallel,
+             {.text = "contact point of nearly parallel arms: the middle of their overlap, or a continuous blend",
+              .source = "S3 Fig. 2; theory 3"});
+    v.option("parallel_angle", parallel_angle,
+             {.text = "arms at a smaller angle, in degrees, count as parallel", .min = 0, .max = 45, .source = "S3"});
+    v.option("duplicates", duplicates,
+             {.text = "contacts of two bodies closer than an arm's radius: all of them, or the deepest of each group",
+              .source = "theory 3"});
   }
 };
 
@@ -238,6 +238,7 @@ struct SystemOptions {
   ContactOptions contact;
   IntegratorOptions integrator;
   StartOptions start;
+  ClusterOptions clusters;
   std::vector<StageOptions> stages;  // [[stage]] tables; parsed apart from the groups
 
   template <class V>
@@ -247,6 +248,7 @@ struct SystemOptions {
     v.group("contact", contact);
     v.group("integrator", integrator);
     v.group("start", start);
+    v.group("clusters", clusters);
   }
 };
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/protocol/cluster_start.hpp"
 #include "jamscape/protocol/start.hpp"
 
 namespace jam {
@@ -15,28 +17,43 @@ std::string number(double a) {
   return s.back() == '.' ? s + "0" : s;
 }
 
+std::int64_t guess_relaxation(const RelaxOptions& o) {
+  return static_cast<std::int64_t>(std::min(2.0, o.windows) * static_cast<double>(o.window));
+}
+
 /// Steps until walls that close in with `rate` per step have taken `travel`; rounding never adds a step.
 std::int64_t steps_for(double travel, double rate) {
   return std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil(travel / rate - 1e-6)));
 }
 
-/// Appends legs and frames, stage after stage.
-class Writer {
+[[noreturn]] void refuse_kind(const StageOptions& stage, const std::string& name, const char* where,
+                              const char* kinds) {
+  std::string kind;
+  for (const auto& [value, text] : EnumNames<StageKind>::values)
+    if (value == stage.kind) kind = text;
+  throw usage_error("stage." + name + ".kind: there is no stage \"" + kind + "\" in " + where, {}, kinds);
+}
+
+void refuse_frames(const StageOptions& stage, const std::string& name) {
+  if (stage.frames > 0 || !stage.frames_at.empty())
+    throw usage_error("stage." + name + (stage.frames > 0 ? ".frames" : ".frames_at") +
+                          ": only stages of kind = \"compress\" have it",
+                      {}, stage.kind == StageKind::steps ? "frames_inside" : "this stage has one frame, at its end");
+}
+
+/// Appends legs and frames of a box that shrinks, stage after stage.
+class BoxWriter {
  public:
-  Writer(const StartBox& box, double dt) : dt_(dt), length_(box.length) {
-    table.box = box.measure;
-    reached_ = table.box.packing_fraction(length_);
-  }
+  BoxWriter(const StartBox& box, double dt)
+      : dt_(dt), box_(box.measure), length_(box.length), reached_(box_.packing_fraction(length_)) {}
 
   Timetable table;
 
   void write(const StageOptions& stage, const std::string& name) {
     stage_ = &stage, name_ = name;
-    if (stage.kind != StageKind::compress && (stage.frames > 0 || !stage.frames_at.empty()))
-      throw usage_error("stage." + name + (stage.frames > 0 ? ".frames" : ".frames_at") +
-                            ": only stages of kind = \"compress\" have it",
-                        {},
-                        stage.kind == StageKind::steps ? "frames_inside" : "a relax stage has one frame, at its end");
+    if (stage.kind == StageKind::settle || stage.kind == StageKind::press)
+      refuse_kind(stage, name, "a box that shrinks", "domain.walls = \"box\" or \"cylinder\" is a container");
+    if (stage.kind != StageKind::compress) refuse_frames(stage, name);
     if (stage.kind == StageKind::relax) return relax();
     if (reached_ > stage.to + 1e-9)
       throw usage_error("stage." + name + ".to = " + number(stage.to) + " is below the packing fraction " +
@@ -68,10 +85,10 @@ class Writer {
 
   void compress(double to, const std::vector<double>& frames) {
     const double closing = 2 * stage_->speed * dt_;
-    const std::int64_t steps = steps_for(length_ - table.box.length(to), closing);
+    const std::int64_t steps = steps_for(length_ - box_.length(to), closing);
     for (const double rho : frames)
-      add_frame(rho, std::min(steps, steps_for(length_ - table.box.length(rho), closing)), false);
-    table.legs.push_back({name_, false, stage_->speed, steps, {}});
+      add_frame(rho, std::min(steps, steps_for(length_ - box_.length(rho), closing)), false);
+    table.legs.push_back({name_, LegKind::move, stage_->speed, steps});
     table.plan.steps += steps;
     length_ -= closing * static_cast<double>(steps);
     reached_ = to;
@@ -79,9 +96,8 @@ class Writer {
 
   void relax() {
     add_frame(reached_, 0, true);
-    const std::int64_t guess =
-        static_cast<std::int64_t>(std::min(2.0, stage_->relax.windows) * static_cast<double>(stage_->relax.window));
-    table.legs.push_back({name_, true, 0, guess, stage_->relax});
+    const std::int64_t guess = guess_relaxation(stage_->relax);
+    table.legs.push_back({name_, LegKind::relax, 0, guess, stage_->relax});
     table.plan.steps += guess;
     clock_known_ = false;
   }
@@ -104,29 +120,92 @@ class Writer {
     table.places.push_back({table.legs.size(), offset});
   }
 
-  double dt_, length_, reached_ = 0;
+  double dt_;
+  BoxMeasure box_;
+  double length_, reached_ = 0;
   bool clock_known_ = true;  ///< no relaxation so far
   const StageOptions* stage_ = nullptr;
   std::string name_;
 };
+
+/// Appends legs and frames of a container, stage after stage. What its packing fraction will be is not known before.
+class ContainerWriter {
+ public:
+  ContainerWriter(const SystemOptions& system, double height) : system_(system), height_(height) {}
+
+  Timetable table;
+
+  void write(const StageOptions& stage, const std::string& name) {
+    if (stage.kind == StageKind::compress || stage.kind == StageKind::steps)
+      refuse_kind(stage, name, "a container", "settle, press and relax");
+    refuse_frames(stage, name);
+    Leg leg{name};
+    const double dt = system_.integrator.step;
+    if (stage.kind == StageKind::settle) {
+      const double g = system_.domain.gravity;
+      if (!(g > 0))
+        throw usage_error("stage." + name + ": nothing settles without gravity", {}, "domain.gravity = \"9.81 m/s^2\"");
+      const double time = stage.settle_times * std::sqrt(2 * height_ / g);
+      leg.steps = steps_for(time, dt);
+      if (stage.settle_until == SettleUntil::rest) {
+        leg.kind = LegKind::relax;
+        leg.relax = stage.relax;
+        leg.relax.fluctuation = 0;
+        leg.relax.windows = static_cast<double>(leg.steps) / static_cast<double>(stage.relax.window);
+        clock_known_ = false;
+      }
+    } else if (stage.kind == StageKind::press) {
+      if (!(stage.force > 0))
+        throw usage_error("stage." + name + ".force: the lid needs a force to stop at", {}, "force = \"500 N\"");
+      constexpr double travel_guess = 0.05;  // of the height, from a settled packing
+      leg.kind = LegKind::press;
+      leg.speed = stage.speed;
+      leg.force = stage.force;
+      leg.steps = steps_for(travel_guess * height_, stage.speed * dt);
+      clock_known_ = false;
+    } else {
+      leg.kind = LegKind::relax;
+      leg.relax = stage.relax;
+      leg.steps = guess_relaxation(stage.relax);
+      clock_known_ = false;
+    }
+    const std::int64_t end = table.plan.steps + leg.steps;
+    table.plan.frames.push_back(
+        {name, std::numeric_limits<double>::quiet_NaN(), clock_known_ ? end : -1, stage.kind == StageKind::relax});
+    table.places.push_back({table.legs.size(), leg.steps});
+    table.plan.steps = end;
+    table.legs.push_back(leg);
+  }
+
+ private:
+  const SystemOptions& system_;
+  double height_;
+  bool clock_known_ = true;
+};
+
+template <class Writer>
+Timetable write_all(Writer writer, const SystemOptions& system) {
+  writer.table.plan.bodies = system.grains.count;
+  for (std::size_t s = 0; s < system.stages.size(); ++s) writer.write(system.stages[s], stage_name(system, s));
+  return writer.table;
+}
 
 }  // namespace
 
 Timetable timetable(const SystemOptions& system, const TaskKey& key) {
   if (system.stages.empty())
     throw usage_error("the study has no stage", {}, "add a [[stage]] table, e.g. kind = \"compress\", to = 0.9");
-  Writer writer(start_box(system, draw_diameters(system.grains, key)), system.integrator.step);
-  writer.table.plan.bodies = system.grains.count;
-  for (std::size_t s = 0; s < system.stages.size(); ++s) writer.write(system.stages[s], stage_name(system, s));
-  return writer.table;
+  if (is_container(system.domain.walls))
+    return write_all(ContainerWriter(system, cluster_room(system, key).height), system);
+  return write_all(BoxWriter(start_box(system, draw_diameters(system.grains, key)), system.integrator.step), system);
 }
 
 Plan plan(const SystemOptions& system, const TaskKey& key) { return timetable(system, key).plan; }
 
 bool PlannedFrame::matches(std::int64_t at, const std::string& of, double found, const std::string& relaxation) const {
   if (step >= 0) return at == step;
-  return of == stage && relaxed == !relaxation.empty() &&
-         std::abs(found - packing_fraction) < 1e-3;  // fast walls overshoot
+  if (of != stage || relaxed != !relaxation.empty()) return false;
+  return std::isnan(packing_fraction) || std::abs(found - packing_fraction) < 1e-3;  // fast walls overshoot
 }
 
 }  // namespace jam

@@ -4,25 +4,30 @@
 #include <string>
 #include <vector>
 
-#include "jamscape/protocol/box.hpp"
 #include "jamscape/protocol/simulate.hpp"
 
 namespace jam {
 
-/// Walls that move at one speed for a known time, or stand still until the grains have come to rest.
+enum class LegKind {
+  move,   ///< the walls move at one speed (or none) for a known time
+  relax,  ///< they stand still until the grains have come to rest
+  press   ///< the lid comes down from above the highest grain until it carries a force
+};
+
 struct Leg {
   std::string stage;
-  bool relaxes = false;
-  double speed = 0;        ///< of each wall
-  std::int64_t steps = 0;  ///< relaxes: a guess
+  LegKind kind = LegKind::move;
+  double speed = 0;        ///< of each wall, or of the lid
+  std::int64_t steps = 0;  ///< relax, press: a guess
   RelaxOptions relax{};
+  double force = 0;  ///< press
 };
 
 struct Timetable {
   Plan plan;
-  BoxMeasure box;
   std::vector<Leg> legs;
-  /// Where each frame of the plan is taken: on which leg, how many steps after its beginning (relaxed: at its end).
+  /// Where each frame of the plan is taken: on which leg, how many steps after its beginning (relax, press: at its
+  /// end).
   struct FramePlace {
     std::size_t leg = 0;
     std::int64_t offset = 0;

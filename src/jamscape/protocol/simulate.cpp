@@ -4,36 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/flush_to_zero.hpp"
-#include "jamscape/dem/engine.hpp"
 #include "jamscape/protocol/plan.hpp"
 #include "jamscape/protocol/relaxation.hpp"
-#include "jamscape/protocol/start.hpp"
+#include "jamscape/protocol/scene.hpp"
 
 namespace jam {
 namespace {
 
-/// Between two looks at the hooks: grain-steps, some tenths of a second.
-constexpr double work_per_look = 8e6;
 /// Part of the energy turned over by which the ledger may be off; first order in the step, below .03 at S1's.
 constexpr double largest_ledger_error = 0.25;
 
-template <int D>
+template <class Scene>
 class Run {
  public:
   Run(const SystemOptions& system, const TaskKey& key, const Hooks& hooks)
-      : system_(system), key_(key), hooks_(hooks), table_(timetable(system, key)), engine_(start<D>(system, key)) {}
+      : system_(system), key_(key), hooks_(hooks), table_(timetable(system, key)), scene_(system, key) {}
 
   Outcome go(const Archive* from) {
-    begin_leg(0, 0);
-    if (from) resume(*from);
+    from ? resume(*from) : begin_leg(0);
     const std::int64_t look =
         hooks_.look_every > 0
             ? hooks_.look_every
             : std::max<std::int64_t>(
-                  1, static_cast<std::int64_t>(work_per_look / static_cast<double>(system_.grains.count)));
+                  1, static_cast<std::int64_t>(Scene::work_per_look / static_cast<double>(system_.grains.count)));
     for (std::int64_t next_look = engine_.step() + look;;) {
       const bool forces_summed = take_frames_and_turn();
       if (leg_ == table_.legs.size()) return Outcome::finished;
@@ -43,8 +40,8 @@ class Run {
       if (engine_.step() < next_look) continue;
       next_look = engine_.step() + look;
       if (hooks_.progress)
-        hooks_.progress({engine_.step(), std::max(expected_steps(), engine_.step() + 1),
-                         table_.box.packing_fraction(length()), table_.legs[leg_].stage});
+        hooks_.progress({engine_.step(), std::max(expected_steps(), engine_.step() + 1), scene_.packing_fraction(),
+                         table_.legs[leg_].stage});
       const bool stop = hooks_.stop && hooks_.stop();
       if (hooks_.checkpoint && (stop || (hooks_.checkpoint_due && hooks_.checkpoint_due()))) hooks_.checkpoint(save());
       if (stop) return Outcome::stopped;
@@ -52,40 +49,30 @@ class Run {
   }
 
  private:
-  double length() const {
-    if (engine_.walls().empty()) return engine_.box().length[0];
-    return engine_.walls()[1].position - engine_.walls()[0].position;
+  void begin_leg(std::size_t leg) {
+    enter_leg(leg, engine_.step());
+    if (leg < table_.legs.size()) scene_.begin(table_.legs[leg]);
   }
 
-  void begin_leg(std::size_t leg, std::int64_t step) {
-    leg_ = leg, leg_begin_ = step;
-    if (leg == table_.legs.size()) return;
-    if (table_.legs[leg].relaxes) relaxation_ = Relaxation(table_.legs[leg].relax);
-    set_speed();
-  }
-
-  void set_speed() {
-    const double speed = table_.legs[leg_].speed;
-    for (std::size_t w = 0; w < engine_.walls().size(); ++w) {
-      const double v = engine_.walls()[w].high ? -speed : speed;
-      if (engine_.walls()[w].velocity != v) engine_.set_wall_velocity(w, v);
-    }
-    if (engine_.walls().empty()) engine_.set_box_speed(speed);
+  void enter_leg(std::size_t leg, std::int64_t begin) {
+    leg_ = leg, leg_begin_ = begin;
+    pressed_ = false;
+    if (leg < table_.legs.size() && table_.legs[leg].kind == LegKind::relax)
+      relaxation_ = Relaxation(table_.legs[leg].relax);
   }
 
   /// Everything that happens at this step before the clock goes on: a sample of the energies, frames, the next leg.
   /// True: forces are summed.
   bool take_frames_and_turn() {
-    watch();
-    bool summed = false;
+    bool summed = watch();
     while (leg_ < table_.legs.size()) {
-      const bool relaxes = table_.legs[leg_].relaxes;
-      if (!relaxes && leg_over())
-        begin_leg(leg_ + 1, engine_.step());
+      const bool known = table_.legs[leg_].kind == LegKind::move;
+      if (known && leg_over())
+        begin_leg(leg_ + 1);
       else if (frame_due())
         deliver_frame(summed), summed = true;
-      else if (relaxes && leg_over())  // its frame is taken while the walls still stand
-        begin_leg(leg_ + 1, engine_.step());
+      else if (!known && leg_over())  // its frame is taken before the walls change their motion
+        begin_leg(leg_ + 1);
       else
         return summed;
     }
@@ -94,32 +81,48 @@ class Run {
   }
 
   bool leg_over() const {
-    return table_.legs[leg_].relaxes ? !relaxation_.ended().empty()
-                                     : engine_.step() >= leg_begin_ + table_.legs[leg_].steps;
+    switch (table_.legs[leg_].kind) {
+      case LegKind::relax:
+        return !relaxation_.ended().empty();
+      case LegKind::press:
+        return pressed_;
+      case LegKind::move:
+        break;
+    }
+    return engine_.step() >= leg_begin_ + table_.legs[leg_].steps;
   }
 
   bool frame_due() const {
     if (next_frame_ == table_.places.size()) return false;
     const auto& place = table_.places[next_frame_];
     if (place.leg != leg_) return place.leg < leg_;
-    return table_.legs[leg_].relaxes ? leg_over() : engine_.step() >= leg_begin_ + place.offset;
+    return table_.legs[leg_].kind != LegKind::move ? leg_over() : engine_.step() >= leg_begin_ + place.offset;
   }
 
-  void watch() {
-    if (leg_ == table_.legs.size() || !table_.legs[leg_].relaxes || leg_over()) return;
-    if (engine_.step() < leg_begin_ + relaxation_.next_sample()) return;
+  /// Looks whether a leg of unknown length is over. True: forces are summed.
+  bool watch() {
+    if (leg_ == table_.legs.size() || leg_over()) return false;
+    const Leg& leg = table_.legs[leg_];
+    if (leg.kind == LegKind::press) {
+      engine_.compute_forces();
+      pressed_ = scene_.reached(leg);
+      return true;
+    }
+    if (leg.kind != LegKind::relax || engine_.step() < leg_begin_ + relaxation_.next_sample()) return false;
     double elastic = 0;
     if (relaxation_.wants_elastic()) {
       const ElasticEnergy e = engine_.elastic_energy();
       elastic = e.normal + e.tangential;
     }
     relaxation_.add_sample(engine_.kinetic_energy(), elastic);
+    return false;
   }
 
   /// The next step at which something happens.
   std::int64_t next_event() const {
     const Leg& leg = table_.legs[leg_];
-    if (leg.relaxes) return leg_begin_ + relaxation_.next_sample();
+    if (leg.kind == LegKind::press) return engine_.step();  // watched after every step
+    if (leg.kind == LegKind::relax) return leg_begin_ + relaxation_.next_sample();
     std::int64_t next = leg_begin_ + leg.steps;
     if (next_frame_ < table_.places.size() && table_.places[next_frame_].leg == leg_)
       next = std::min(next, leg_begin_ + table_.places[next_frame_].offset);
@@ -151,8 +154,8 @@ class Run {
     if (!summed) engine_.compute_forces();
     Packing packing = engine_.record();
     check_ledger(packing.energy);
-    packing.packing_fraction = table_.box.packing_fraction(length());
-    packing.packing_fraction_plain = table_.box.packing_fraction_plain(length());
+    packing.packing_fraction = scene_.packing_fraction();
+    packing.packing_fraction_plain = scene_.packing_fraction_plain();
     packing.stage = table_.plan.frames[next_frame_].stage;
     if (table_.plan.frames[next_frame_].relaxed) packing.relaxation = relaxation_.ended();
     if (hooks_.frame) hooks_.frame(next_frame_, packing);
@@ -184,30 +187,35 @@ class Run {
                        "delete it; the task then starts from its beginning");
     engine_.load(archive);
     next_frame_ = static_cast<std::size_t>((*n)[3]);
-    begin_leg(static_cast<std::size_t>((*n)[4]), (*n)[5]);
-    if (table_.legs[leg_].relaxes) relaxation_.load(*r);
+    enter_leg(static_cast<std::size_t>((*n)[4]), (*n)[5]);
+    if (table_.legs[leg_].kind == LegKind::relax) relaxation_.load(*r);
   }
 
   const SystemOptions& system_;
   const TaskKey& key_;
   const Hooks& hooks_;
   Timetable table_;
-  Engine<D> engine_;
+  Scene scene_;
+  decltype(std::declval<Scene&>().engine()) engine_ = scene_.engine();
   double start_energy_ = engine_.kinetic_energy();
   std::size_t next_frame_ = 0, leg_ = 0;
   std::int64_t leg_begin_ = 0;
   Relaxation relaxation_;
+  bool pressed_ = false;
 };
 
 }  // namespace
 
 int physics_revision(const SystemOptions& system) {
+  if (is_container(system.domain.walls)) return 3;
   return !hertzian(system.contact.law) && system.domain.dimension == 2 ? 1 : 2;
 }
 
 Outcome simulate(const SystemOptions& system, const TaskKey& key, const Hooks& hooks, const Archive* from) {
   const FlushToZero guard;
-  return system.domain.dimension == 2 ? Run<2>(system, key, hooks).go(from) : Run<3>(system, key, hooks).go(from);
+  if (is_container(system.domain.walls)) return Run<ContainerScene>(system, key, hooks).go(from);
+  return system.domain.dimension == 2 ? Run<BoxScene<2>>(system, key, hooks).go(from)
+                                      : Run<BoxScene<3>>(system, key, hooks).go(from);
 }
 
 }  // namespace jam

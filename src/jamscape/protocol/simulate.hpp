@@ -15,6 +15,7 @@ namespace jam {
 
 /// Raised whenever a change of the code changes the bits of a simulation of this kind; part of a task's hash.
 ///   1   linear law, two dimensions
+///   3   clusters in a container
 ///   2   everything else, since the Coulomb limit is compared in squares and before the factor x^(1/2)
 int physics_revision(const SystemOptions& system);
 
@@ -28,8 +29,9 @@ struct TaskKey {
 /// A frame the protocol will deliver, known before the simulation starts.
 struct PlannedFrame {
   std::string stage;
-  double packing_fraction = 0;  ///< as asked for; the frame is taken at the first step that reaches it
-  std::int64_t step = 0;        ///< -1 where it is not known before: after the first relaxation
+  double packing_fraction = 0;  ///< as asked for; the frame is taken at the first step that reaches it. NaN in a
+                                ///< container, where it is what comes out
+  std::int64_t step = 0;        ///< -1 where it is not known before: after the first relaxation or press
   bool relaxed = false;         ///< taken at the end of a relaxation
 
   /// Is this the frame taken at `step` of `stage`? `found` is its packing fraction, `relaxation` Packing::relaxation.

@@ -107,10 +107,21 @@ StartBox start_box(const SystemOptions& system, const std::vector<double>& diame
   return box;
 }
 
+void check_start(const SystemOptions& system) {
+  if (system.contact.damping == DampingRule::printed) {  // the others reach every restitution
+    grain_law(system.contact, 1.0);
+    wall_law(system.contact, 1.0);
+  }
+  if (is_container(system.domain.walls)) return;
+  if (system.domain.dimension == 3 && system.domain.walls == WallModel::beads)
+    throw usage_error("domain.walls: bead walls are for two dimensions", {}, "domain.walls = \"flat\" or \"periodic\"");
+  if (system.grains.shape != BodyShape::ball)
+    throw usage_error("grains.shape: clusters are for containers", {}, "domain.walls = \"box\" or \"cylinder\"");
+}
+
 template <int D>
 EngineSetup<D> start(const SystemOptions& system, const TaskKey& key) {
-  if (D == 3 && system.domain.walls == WallModel::beads)
-    throw usage_error("domain.walls: bead walls are for two dimensions", {}, "domain.walls = \"flat\" or \"periodic\"");
+  check_start(system);
   const std::vector<double> diameters = draw_diameters(system.grains, key);
   const StartBox box = start_box(system, diameters);
   EngineSetup<D> setup;
@@ -119,6 +130,7 @@ EngineSetup<D> start(const SystemOptions& system, const TaskKey& key) {
   setup.wall_law = wall_law(system.contact, 1.0);
   setup.scheme = system.integrator.scheme;
   setup.dt = system.integrator.step;
+  setup.gravity[1] = -system.domain.gravity;
   if (system.domain.walls == WallModel::periodic)
     setup.box.length.fill(box.length);
   else if constexpr (D == 2)

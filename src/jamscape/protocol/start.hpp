@@ -27,7 +27,10 @@ struct StartBox {
 /// The smallest box that holds the lattice at or below start.packing_fraction.
 StartBox start_box(const SystemOptions& system, const std::vector<double>& diameters);
 
-/// Throws a usage error naming the option that asks for what is not there (bead walls in three dimensions).
+/// Throws a usage error naming the option that asks for what cannot be: bead walls in three dimensions, clusters in a
+/// box that shrinks, a restitution that the damping rule cannot reach. start() throws the same.
+void check_start(const SystemOptions& system);
+
 template <int D>
 EngineSetup<D> start(const SystemOptions& system, const TaskKey& key);
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/protocol/relaxation.hpp"
+#include "jamscape/stats/moments.hpp"
 
 namespace jam {
 namespace {
@@ -23,14 +25,12 @@ std::vector<DoneTask> find_simulated(const std::vector<Task>& tasks, const std::
   return done;
 }
 
-}  // namespace
-
-std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks,
-                                const std::filesystem::path& results) {
-  const std::vector<const Measure*> chosen = chosen_measures(study);
-  if (!is_collected(results)) return find_simulated(tasks, results, chosen);
+/// From tables that are all there is.
+std::vector<DoneTask> find_collected(const Study& study, const std::vector<Task>& tasks,
+                                     const std::filesystem::path& results,
+                                     const std::vector<const Measure*>& measures) {
   std::vector<std::map<std::uint64_t, CollectedTask>> of_system;
-  for (const System& system : study.systems) of_system.push_back(read_collected(results, system.name, chosen));
+  for (const System& system : study.systems) of_system.push_back(read_collected(results, system.name, measures));
   std::vector<DoneTask> done;
   for (const Task& task : tasks) {
     auto& held = of_system[task.system];
@@ -41,6 +41,37 @@ std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tas
     const auto rows = std::make_shared<CollectedTask>(std::move(at->second));
     done.push_back({&task, TaskFolder(results, task.hash), rows->frames, std::move(stored), rows});
   }
+  return done;
+}
+
+/// Frames of a container are planned without a packing fraction: they get the mean over the realisations, so that one
+/// state has one abscissa.
+void set_reached_fractions(const Study& study, std::vector<DoneTask>& done) {
+  const auto planned_without = [](const DoneTask& d, std::size_t f) {
+    return f < d.task->plan.frames.size() && std::isnan(d.task->plan.frames[f].packing_fraction);
+  };
+  constexpr std::size_t fraction = 2;  // of instant_measure(): step, time, packing_fraction, ...
+  for (const auto& group : by_system(study, done)) {
+    std::map<std::size_t, std::vector<double>> found;
+    for (const DoneTask* d : group)
+      for (std::size_t f = 0; f < d->frames.size(); ++f)
+        if (planned_without(*d, f)) found[f].push_back(read_frame_rows(*d, instant_measure())[f].at(0).at(fraction));
+    if (found.empty()) continue;
+    for (DoneTask& d : done)
+      if (d.task->system == group.front()->task->system)
+        for (std::size_t f = 0; f < d.frames.size(); ++f)
+          if (planned_without(d, f)) d.frames[f].packing_fraction = moments(found[f]).mean;
+  }
+}
+
+}  // namespace
+
+std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks,
+                                const std::filesystem::path& results) {
+  const std::vector<const Measure*> chosen = chosen_measures(study);
+  std::vector<DoneTask> done =
+      is_collected(results) ? find_collected(study, tasks, results, chosen) : find_simulated(tasks, results, chosen);
+  set_reached_fractions(study, done);
   return done;
 }
 
@@ -78,7 +109,7 @@ std::size_t frames_not_relaxed(const std::vector<DoneTask>& done) {
 bool relaxes(const Study& study) {
   for (const System& system : study.systems)
     for (const StageOptions& stage : system.options.stages)
-      if (stage.kind != StageKind::compress) return true;
+      if (stage.kind == StageKind::relax || stage.kind == StageKind::steps) return true;
   return false;
 }
 

@@ -21,8 +21,8 @@ namespace jam {
 struct DoneTask {
   const Task* task = nullptr;
   TaskFolder folder;
-  std::vector<PlannedFrame> frames;
-  std::vector<std::size_t> stored;                           ///< index of each frame in run.h5 and in the cached rows
+  std::vector<PlannedFrame> frames;  ///< those of a container have the mean packing fraction reached
+  std::vector<std::size_t> stored;   ///< index of each frame in run.h5 and in the cached rows
   std::shared_ptr<const CollectedTask> collected = nullptr;  ///< in place of the folder, where tables are all there is
 };
 
@@ -44,7 +44,7 @@ bool relaxes(const Study& study);
 
 /// Quantities of one row a frame, of all realisations of one system.
 struct FrameSeries {
-  std::vector<double> target;         ///< planned packing fraction of each frame
+  std::vector<double> target;         ///< planned packing fraction of each frame; in a container the mean reached
   std::vector<bool> relaxed;          ///< taken after a relaxation
   std::vector<std::string> quantity;  ///< packing_fraction, packing_fraction_plain, the measures' columns, and where
                                       ///< frames are relaxed `not_relaxed`: 1 where that ran out of its budget

@@ -79,9 +79,7 @@ const FrameSeries& Reader::series(std::size_t s) {
 }
 
 const std::vector<Transition>& Reader::transitions(std::size_t s) {
-  if (!transitions_[s])
-    transitions_[s] = find_transitions(series(s), static_cast<std::uint64_t>(study_.info.seed),
-                                       physics_key(study_.systems[s].options));
+  if (!transitions_[s]) transitions_[s] = find_transitions(study_, s, done_[s], measures_, series(s));
   return *transitions_[s];
 }
 

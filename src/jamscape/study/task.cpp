@@ -8,6 +8,7 @@
 #include <set>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/protocol/start.hpp"
 #include "jamscape/study/identity.hpp"
 
 namespace jam {
@@ -41,6 +42,7 @@ std::vector<Task> list_tasks(const Study& study) {
       task.key = task_key(system.options, seed, task.realisation);
       task.hash = task_hash(system.options, seed, task.realisation);
       try {
+        if (r == 0) check_start(system.options);
         task.plan = plan(system.options, task.key);
       } catch (const Error& error) {
         throw with_place(error, system, study.file);

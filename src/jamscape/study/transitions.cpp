@@ -12,6 +12,7 @@
 #include "jamscape/stats/inflection.hpp"
 #include "jamscape/stats/moments.hpp"
 #include "jamscape/study/identity.hpp"
+#include "jamscape/study/pooled_forces.hpp"
 #include "jamscape/study/tables.hpp"
 
 namespace jam {
@@ -106,7 +107,7 @@ Transition percolation(const std::vector<double>& x, const Curves& percolates) {
 
 }  // namespace
 
-std::vector<Transition> find_transitions(const FrameSeries& series, std::uint64_t seed, const std::string& key) {
+std::vector<Transition> find_jamming(const FrameSeries& series, std::uint64_t seed, const std::string& key) {
   const Curves* z = series.find("z");
   if (!z || series.realisations == 0 || series.target.empty()) return {};
   const std::vector<std::size_t> states = series.states(), rising = increasing(pick(series.target, states));
@@ -131,6 +132,18 @@ std::vector<Transition> find_transitions(const FrameSeries& series, std::uint64_
   return found;
 }
 
+std::vector<Transition> find_transitions(const Study& study, std::size_t system,
+                                         const std::vector<const DoneTask*>& done,
+                                         const std::vector<const Measure*>& measures, const FrameSeries& series) {
+  const SystemOptions& options = study.systems[system].options;
+  const auto seed = static_cast<std::uint64_t>(study.info.seed);
+  const std::string key = physics_key(options);
+  std::vector<Transition> found;
+  if (!is_container(options.domain.walls)) found = find_jamming(series, seed, key);
+  for (Transition& t : pooled_forces(done, measures, series, seed, key)) found.push_back(std::move(t));
+  return found;
+}
+
 std::vector<std::vector<Transition>> write_transitions(const Study& study, const std::vector<DoneTask>& done,
                                                        const std::filesystem::path& results) {
   const VariedColumns varied = varied_columns(study);
@@ -140,8 +153,7 @@ std::vector<std::vector<Transition>> write_transitions(const Study& study, const
   std::string text = "system" + varied.header + ",quantity,n,value,se\n";
   for (std::size_t s = 0; s < systems.size(); ++s) {
     const FrameSeries series = read_frame_series(systems[s], measures);
-    all.push_back(
-        find_transitions(series, static_cast<std::uint64_t>(study.info.seed), physics_key(study.systems[s].options)));
+    all.push_back(find_transitions(study, s, systems[s], measures, series));
     for (const Transition& t : all.back())
       text += fmt::format("{}{},{},{},{},{}\n", csv_field(study.systems[s].name), varied.of_system[s], t.quantity, t.n,
                           t.value, t.se);

@@ -18,6 +18,8 @@
 //   rho_j_backbone, z_backbone_at_rho_j, z_backbone_above   the same for z_backbone (rattlers removed)
 //   rho_p           packing fraction of the first state from which on a realisation percolates, mean over realisations
 //
+// In a container nothing jams by compression from all sides; its rows are those of pooled_forces.hpp, which other
+// systems have too where they measure what these need.
 #pragma once
 
 #include <array>
@@ -44,8 +46,13 @@ struct Transition {
   double se = 0;     ///< NaN where it cannot be estimated
 };
 
-/// Empty where z was not measured. `seed` and `key` name the random numbers of the bootstrap.
-std::vector<Transition> find_transitions(const FrameSeries& series, std::uint64_t seed, const std::string& key);
+/// Those of jamming. Empty where z was not measured. `seed` and `key` name the random numbers of the bootstrap.
+std::vector<Transition> find_jamming(const FrameSeries& series, std::uint64_t seed, const std::string& key);
+
+/// All of a system, whose tasks `done` holds.
+std::vector<Transition> find_transitions(const Study& study, std::size_t system,
+                                         const std::vector<const DoneTask*>& done,
+                                         const std::vector<const Measure*>& measures, const FrameSeries& series);
 
 /// Writes the table and returns the transitions of each system.
 std::vector<std::vector<Transition>> write_transitions(const Study& study, const std::vector<DoneTask>& done,

@@ -33,7 +33,7 @@ const Transition& get(const std::vector<Transition>& all, std::string_view name)
 }
 
 TEST(Transitions, FindTheJumpByEveryReading) {
-  const std::vector<Transition> t = find_transitions(jumping(), 1, "key");
+  const std::vector<Transition> t = find_jamming(jumping(), 1, "key");
   EXPECT_EQ(get(t, "rho_c").n, 3u);
   EXPECT_NEAR(get(t, "rho_c").value, 0.81, 1e-4) << "the mean of three jumps crosses 3 in the middle one";
   EXPECT_NEAR(get(t, "rho_c_single").value, 0.81, 1e-4);
@@ -44,7 +44,7 @@ TEST(Transitions, FindTheJumpByEveryReading) {
 }
 
 TEST(Transitions, AreTheSameEveryTime) {
-  const std::vector<Transition> a = find_transitions(jumping(), 1, "key"), b = find_transitions(jumping(), 1, "key");
+  const std::vector<Transition> a = find_jamming(jumping(), 1, "key"), b = find_jamming(jumping(), 1, "key");
   for (std::size_t k = 0; k < a.size(); ++k) {
     EXPECT_EQ(a[k].value, b[k].value) << a[k].quantity;
     EXPECT_EQ(a[k].se, b[k].se) << a[k].quantity;
@@ -56,17 +56,16 @@ TEST(Transitions, AFrameGivenTwiceDoesNoHarm) {
   s.target.insert(s.target.begin() + 50, s.target[50]);
   for (auto& quantity : s.value)
     for (auto& run : quantity) run.insert(run.begin() + 50, run[50]);
-  EXPECT_EQ(get(find_transitions(s, 1, "key"), "rho_c").value,
-            get(find_transitions(jumping(), 1, "key"), "rho_c").value);
+  EXPECT_EQ(get(find_jamming(s, 1, "key"), "rho_c").value, get(find_jamming(jumping(), 1, "key"), "rho_c").value);
 }
 
 TEST(Transitions, NoneBelowJammingAndWithoutZ) {
   FrameSeries s = jumping();
   for (auto& run : s.value[1])
     for (double& z : run) z = std::min(z, 2.0);
-  EXPECT_TRUE(std::isnan(get(find_transitions(s, 1, "key"), "rho_c").value));
+  EXPECT_TRUE(std::isnan(get(find_jamming(s, 1, "key"), "rho_c").value));
   s.quantity[1] = "other";
-  EXPECT_TRUE(find_transitions(s, 1, "key").empty());
+  EXPECT_TRUE(find_jamming(s, 1, "key").empty());
 }
 
 /// The same runs, with a frame before every relaxation in which nothing touches, and a Z without rattlers 1 higher.
@@ -92,7 +91,7 @@ FrameSeries relaxed() {
 }
 
 TEST(Transitions, OfRelaxedStatesAreS2s) {
-  const std::vector<Transition> t = find_transitions(relaxed(), 1, "key");
+  const std::vector<Transition> t = find_jamming(relaxed(), 1, "key");
   EXPECT_NEAR(get(t, "rho_c").value, 0.81, 1e-3) << "frames that are not relaxed do not count";
   EXPECT_NEAR(get(t, "rho_j").value, 0.81, 2e-3);
   EXPECT_GT(get(t, "rho_j").se, 0.001);
@@ -110,9 +109,9 @@ TEST(Transitions, OfRelaxedStatesAreS2s) {
 TEST(Transitions, ARunThatNeverPercolatesHasNoOnset) {
   FrameSeries s = relaxed();
   for (double& p : s.value[3][1]) p = 0;
-  EXPECT_EQ(get(find_transitions(s, 1, "key"), "rho_p").n, 2u);
+  EXPECT_EQ(get(find_jamming(s, 1, "key"), "rho_p").n, 2u);
   s.value[3][0].back() = 0;
-  EXPECT_EQ(get(find_transitions(s, 1, "key"), "rho_p").n, 1u) << "it must last to the end";
+  EXPECT_EQ(get(find_jamming(s, 1, "key"), "rho_p").n, 1u) << "it must last to the end";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/study/identity.hpp"
 #include "jamscape/study/study.hpp"
+#include "small_study.hpp"
 #include "jamscape/study/targets.hpp"
 
 namespace jam {
@@ -37,13 +38,7 @@ Study read(const std::string& text, const std::vector<Setting>& settings = {}) {
 }
 
 std::string complaint(const std::string& text, const std::vector<Setting>& settings = {}) {
-  try {
-    read(text, settings);
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ExitCode::usage);
-    return e.place() + " | " + e.problem() + " | " + e.suggestion();
-  }
-  return "nothing";
+  return complaint_about(text, "u.toml", settings);
 }
 
 TEST(StudyUnits, EachSystemHasItsCollisionTime) {
