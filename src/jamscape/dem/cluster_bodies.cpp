@@ -124,7 +124,7 @@ void refresh(ClusterState& s) {
     const Vec3 w = spin_of(s, k, vec3(s.momentum.data() + 4 * k));
     for (std::size_t c = 0; c < 3; ++c) row[R::spin + c] = w[static_cast<int>(c)];
     const std::size_t from = s.first_arm[k], count = s.first_arm[k + 1] - from;
-    place_arms(row, frame_of(row + R::orientation), s.own_arms.data() + from * R::arm_stride,
+    place_arms(row, rows_of(frame_of(turn_at(row + R::orientation))), s.own_arms.data() + from * R::arm_stride,
                s.arms.data() + from * R::arm_stride, count);
   }
 }
@@ -132,8 +132,7 @@ void refresh(ClusterState& s) {
 Vec3 spin_of(const ClusterState& s, std::size_t body, const Vec3& l) {
   const double* inverse = s.inverse.data() + body * R::force_stride + 4;
   if (!s.top[body]) return {l[0] * inverse[0], l[1] * inverse[1], l[2] * inverse[2]};
-  const Four w = top_spin(frame_of(s.row(body) + R::orientation), l.c, inverse);
-  return {w[0], w[1], w[2]};
+  return top_spin(frame_of(turn_at(s.row(body) + R::orientation)), l.c, inverse);
 }
 
 std::vector<std::uint32_t> spatial_order(const ClusterState& s) {

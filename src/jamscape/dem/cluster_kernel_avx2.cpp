@@ -7,7 +7,7 @@ const ClusterKernels& avx2_cluster_kernels();
 
 const ClusterKernels& avx2_cluster_kernels() {
   static constexpr ClusterKernels kernels{"avx2", HWY_NAMESPACE::clusters::collect, HWY_NAMESPACE::clusters::press,
-                                          integrate};
+                                          HWY_NAMESPACE::clusters::integrate_wide};
   return kernels;
 }
 

@@ -74,19 +74,30 @@ void find_partners(const ClusterState& s, const BodyGrid& grid, std::uint32_t a,
   std::sort(found.begin(), found.end());
 }
 
+/// Whether an arm comes nearer to the circumscribed sphere of another body than `skin`.
+bool near_body(const double* arm, const Vec3& centre, double radius, double skin) {
+  const Segment<double> axis = axis_of(arm);
+  const Vec3 d = centre - axis.centre;
+  const double s = clamp_to(dot(d, axis.direction), axis.half_length), reach = radius + arm[3] + skin;
+  const Vec3 apart = d - s * axis.direction;
+  return dot(apart, apart) < reach * reach;
+}
+
 /// Appends the near pairs of arms of i and j.
 void append_arms(ArmPairs& list, const ClusterState& s, std::uint32_t i, std::uint32_t j, double skin) {
   const double mi = s.row(i)[ClusterRow::mass], mj = s.row(j)[ClusterRow::mass];
-  for (std::uint32_t a = s.first_arm[i]; a < s.first_arm[i + 1]; ++a)
+  const Vec3 xi = vec3(s.row(i)), xj = vec3(s.row(j));
+  for (std::uint32_t a = s.first_arm[i]; a < s.first_arm[i + 1]; ++a) {
+    if (!near_body(s.arm(a), xj, s.radius[j], skin)) continue;
     for (std::uint32_t b = s.first_arm[j]; b < s.first_arm[j + 1]; ++b) {
-      const Segment<double> one = axis_of(s.arm(a)), two = axis_of(s.arm(b));
-      const double reach = s.arm(a)[3] + s.arm(b)[3] + skin, apart = one.half_length + two.half_length + reach;
-      const Vec3 w = one.centre - two.centre;
-      if (dot(w, w) >= apart * apart || closest_points(one, two).distance2 >= reach * reach) continue;
+      if (!near_body(s.arm(b), xi, s.radius[i], skin)) continue;
+      const double reach = s.arm(a)[3] + s.arm(b)[3] + skin;
+      if (closest_points(axis_of(s.arm(a)), axis_of(s.arm(b))).distance2 >= reach * reach) continue;
       list.i.push_back(i), list.j.push_back(j);
       list.arm_i.push_back(a), list.arm_j.push_back(b);
       list.mbar.push_back(mi * mj / (mi + mj));
     }
+  }
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 // The quaternion is normalised in every step.
 #pragma once
 
-#include <cmath>
-
 #include "jamscape/dem/cluster_kernel.hpp"
 
 namespace jam {
@@ -22,128 +20,163 @@ using Four = double __attribute__((vector_size(32)));
 inline Four& four(double* p) { return *reinterpret_cast<Four*>(p); }
 inline const Four& four(const double* p) { return *reinterpret_cast<const Four*>(p); }
 
-/// The body's axes in the world's frame.
-struct Frame {
-  Four x, y, z;
+/// A quaternion of numbers, or of lanes.
+template <class T>
+struct Turn {
+  T w, x, y, z;
 };
 
-inline Frame frame_of(const double* q) {
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  const double xx = x * x, yy = y * y, zz = z * z, xy = x * y, xz = x * z, yz = y * z, wx = w * x, wy = w * y,
-               wz = w * z;
-  return {Four{1 - 2 * (yy + zz), 2 * (xy + wz), 2 * (xz - wy), 0},
-          Four{2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx), 0},
-          Four{2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy), 0}};
-}
+/// The body's axes in the world's frame.
+template <class T>
+struct Frame {
+  Vec<3, T> x, y, z;
+};
 
-inline double along(const Four& axis, const double* v) { return axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2]; }
+template <class T>
+JAM_INLINE Frame<T> frame_of(const Turn<T>& q) {
+  const T one(1.0), two(2.0);
+  const T xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z,
+          wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+  return {{one - two * (yy + zz), two * (xy + wz), two * (xz - wy)},
+          {two * (xy - wz), one - two * (xx + zz), two * (yz + wx)},
+          {two * (xz + wy), two * (yz - wx), one - two * (xx + yy)}};
+}
+JAM_INLINE Turn<double> turn_at(const double* q) { return {q[0], q[1], q[2], q[3]}; }
 
-/// Multiplies the quaternion by (1, tx, ty, tz) from the left (turn about axes of the world) or right (of the body).
-inline void turn_left(double* q, double tx, double ty, double tz) {
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  q[0] = w - tx * x - ty * y - tz * z;
-  q[1] = x + tx * w + ty * z - tz * y;
-  q[2] = y - tx * z + ty * w + tz * x;
-  q[3] = z + tx * y - ty * x + tz * w;
+/// q times (1, t) from the left (a turn about axes of the world) or the right (of the body).
+template <class T>
+JAM_INLINE Turn<T> turn_left(const Turn<T>& q, const Vec<3, T>& t) {
+  return {q.w - t[0] * q.x - t[1] * q.y - t[2] * q.z, q.x + t[0] * q.w + t[1] * q.z - t[2] * q.y,
+          q.y - t[0] * q.z + t[1] * q.w + t[2] * q.x, q.z + t[0] * q.y - t[1] * q.x + t[2] * q.w};
 }
-inline void turn_right(double* q, double tx, double ty, double tz) {
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  q[0] = w - x * tx - y * ty - z * tz;
-  q[1] = x + w * tx + y * tz - z * ty;
-  q[2] = y + w * ty + z * tx - x * tz;
-  q[3] = z + w * tz + x * ty - y * tx;
+inline Turn<double> turn_right(const Turn<double>& q, const Vec3& t) {
+  return {q.w - q.x * t[0] - q.y * t[1] - q.z * t[2], q.x + q.w * t[0] + q.y * t[2] - q.z * t[1],
+          q.y + q.w * t[1] + q.z * t[0] - q.x * t[2], q.z + q.w * t[2] + q.x * t[1] - q.y * t[0]};
 }
-inline void normalize(double* q) {
-  const double scale = 1 / square_root(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  for (int c = 0; c < 4; ++c) q[c] *= scale;
+template <class T>
+JAM_INLINE Turn<T> unit(const Turn<T>& q) {
+  const T scale = T(1.0) / square_root(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
 }
 
 /// tan(x)/x as a function of x^2.
-inline double tangent_factor(double x2) { return 1 + x2 * (1.0 / 3 + x2 * (2.0 / 15 + x2 * (17.0 / 315))); }
+template <class T>
+JAM_INLINE T tangent_factor(T x2) {
+  return T(1.0) + x2 * (T(1.0 / 3) + x2 * (T(2.0 / 15) + x2 * T(17.0 / 315)));
+}
+
+/// Orientation after the time dt at this spin.
+template <class T>
+JAM_INLINE Turn<T> turn_even(const Turn<T>& q, const Vec<3, T>& spin, T spin2, T dt) {
+  const T half = T(0.5) * dt, factor = half * tangent_factor(half * half * spin2);
+  return unit(turn_left(q, factor * spin));
+}
+
+/// What no point of a body moves farther than, in a unit of time.
+template <class T>
+JAM_INLINE T fastest_point(const Vec<3, T>& velocity, T spin2, T reach) {
+  return square_root(dot(velocity, velocity)) + square_root(spin2) * reach;
+}
+
+inline Vec3 to_body(const Frame<double>& f, const double* v) {
+  const Vec3 a{v[0], v[1], v[2]};
+  return {dot(f.x, a), dot(f.y, a), dot(f.z, a)};
+}
 
 /// Turns about axis e of the body for the time dt; l: angular momentum in the body's frame.
-inline void turn_about(int e, double* q, double* l, const double* inverse, double dt) {
+inline void turn_about(int e, Turn<double>& q, Vec3& l, const double* inverse, double dt) {
   const double half = 0.5 * dt * l[e] * inverse[e], t = half * tangent_factor(half * half), t2 = t * t;
   const double scale = 1 / (1 + t2), cosine = (1 - t2) * scale, sine = 2 * t * scale;
-  double axis[3] = {0, 0, 0};
+  Vec3 axis{0, 0, 0};
   axis[e] = t;
-  turn_right(q, axis[0], axis[1], axis[2]);
+  q = turn_right(q, axis);
   const int u = (e + 1) % 3, v = (e + 2) % 3;
   const double lu = l[u], lv = l[v];
   l[u] = cosine * lu + sine * lv;
   l[v] = cosine * lv - sine * lu;
 }
 
-inline void turn_top(double* q, const double* momentum, const double* inverse, double dt) {
-  const Frame f = frame_of(q);
-  double l[3] = {along(f.x, momentum), along(f.y, momentum), along(f.z, momentum)};
+inline Turn<double> turn_top(Turn<double> q, const double* momentum, const double* inverse, double dt) {
+  Vec3 l = to_body(frame_of(q), momentum);
   turn_about(0, q, l, inverse, dt / 2);
   turn_about(1, q, l, inverse, dt / 2);
   turn_about(2, q, l, inverse, dt);
   turn_about(1, q, l, inverse, dt / 2);
   turn_about(0, q, l, inverse, dt / 2);
-  normalize(q);
-}
-
-inline void turn_even(double* q, const double* spin, double spin2, double dt) {
-  const double half = 0.5 * dt, factor = half * tangent_factor(half * half * spin2);
-  turn_left(q, factor * spin[0], factor * spin[1], factor * spin[2]);
-  normalize(q);
+  return unit(q);
 }
 
 /// Spin in the world's frame.
-inline Four top_spin(const Frame& f, const double* momentum, const double* inverse) {
-  return (along(f.x, momentum) * inverse[0]) * f.x + (along(f.y, momentum) * inverse[1]) * f.y +
-         (along(f.z, momentum) * inverse[2]) * f.z;
+inline Vec3 top_spin(const Frame<double>& f, const double* momentum, const double* inverse) {
+  const Vec3 l = to_body(f, momentum);
+  return (l[0] * inverse[0]) * f.x + (l[1] * inverse[1]) * f.y + (l[2] * inverse[2]) * f.z;
+}
+
+/// Frame of a body in rows of four, the fourth 0.
+struct FrameRows {
+  Four x, y, z;
+};
+inline FrameRows rows_of(const Frame<double>& f) {
+  return {Four{f.x[0], f.x[1], f.x[2], 0}, Four{f.y[0], f.y[1], f.y[2], 0}, Four{f.z[0], f.z[1], f.z[2], 0}};
 }
 
 /// Arms of a body at `row` from its own frame to the world's. The fourth numbers, r and h, come along.
-inline void place_arms(const double* row, const Frame& f, const double* own, double* arms, std::size_t count) {
+inline void place_arms(const double* row, const FrameRows& f, const double* own, double* arms, std::size_t count) {
   const Four x{row[0], row[1], row[2], 0};
   for (std::size_t a = 0; a < count; ++a, own += ClusterRow::arm_stride, arms += ClusterRow::arm_stride) {
     four(arms) = x + own[0] * f.x + own[1] * f.y + own[2] * f.z + Four{0, 0, 0, own[3]};
     four(arms + 4) = own[4] * f.x + own[5] * f.y + own[6] * f.z + Four{0, 0, 0, own[7]};
   }
 }
+inline void place_arms(MotionArrays& b, std::size_t k, const FrameRows& f) {
+  const std::size_t from = b.first_arm[k], count = b.first_arm[k + 1] - from;
+  place_arms(b.rows + k * ClusterRow::stride, f, b.own_arms + from * ClusterRow::arm_stride,
+             b.arms + from * ClusterRow::arm_stride, count);
+}
+
+/// Velocity, position and angular momentum, the step's forces used up.
+JAM_INLINE void kick_and_drift(MotionArrays& b, std::size_t k) {
+  using R = ClusterRow;
+  double *row = b.rows + k * R::stride, *force = b.forces + k * R::force_stride;
+  four(row + R::velocity) += four(force) * four(b.inverse + k * R::force_stride) * b.dt;
+  four(row) += four(row + R::velocity) * b.dt;
+  four(b.momentum + 4 * k) += four(force + 4) * b.dt;
+  four(force) = four(force + 4) = Four{0, 0, 0, 0};
+}
+
+/// One body; returns the speed of its fastest point.
+inline double integrate_body(MotionArrays& b, std::size_t k) {
+  using R = ClusterRow;
+  kick_and_drift(b, k);
+  double *row = b.rows + k * R::stride, *momentum = b.momentum + 4 * k;
+  const double* inverse = b.inverse + k * R::force_stride + 4;
+  Turn<double> q = turn_at(row + R::orientation);
+  Vec3 spin;
+  double spin2;
+  Frame<double> f;
+  if (b.top[k]) {
+    q = turn_top(q, momentum, inverse, b.dt);
+    f = frame_of(q);
+    spin = top_spin(f, momentum, inverse);
+    const double most = larger(inverse[0], larger(inverse[1], inverse[2]));
+    spin2 = (momentum[0] * momentum[0] + momentum[1] * momentum[1] + momentum[2] * momentum[2]) * (most * most);
+  } else {
+    spin = {momentum[0] * inverse[0], momentum[1] * inverse[1], momentum[2] * inverse[2]};
+    spin2 = dot(spin, spin);
+    q = turn_even(q, spin, spin2, b.dt);
+    f = frame_of(q);
+  }
+  for (int c = 0; c < 3; ++c) row[R::spin + static_cast<std::size_t>(c)] = spin[c];
+  four(row + R::orientation) = Four{q.w, q.x, q.y, q.z};
+  place_arms(b, k, rows_of(f));
+  const double* v = row + R::velocity;
+  return fastest_point(Vec3{v[0], v[1], v[2]}, spin2, row[R::reach]);
+}
 
 inline void integrate(MotionArrays& b) {
-  using R = ClusterRow;
-  const double dt = b.dt;
   double fastest = 0;
-  for (std::size_t k = 0; k < b.count; ++k) {
-    double* row = b.rows + k * R::stride;
-    double* force = b.forces + k * R::force_stride;
-    double* momentum = b.momentum + 4 * k;
-    const double* inverse = b.inverse + k * R::force_stride;
-    four(row + R::velocity) += four(force) * four(inverse) * dt;
-    four(row) += four(row + R::velocity) * dt;
-    four(momentum) += four(force + 4) * dt;
-    four(force) = four(force + 4) = Four{0, 0, 0, 0};
-
-    double* q = row + R::orientation;
-    double* spin = row + R::spin;
-    const double reach = row[R::reach];
-    double spin2;
-    Frame f;
-    if (b.top[k]) {
-      turn_top(q, momentum, inverse + 4, dt);
-      f = frame_of(q);
-      four(spin) = top_spin(f, momentum, inverse + 4);
-      const double most = larger(inverse[4], larger(inverse[5], inverse[6]));
-      spin2 = (momentum[0] * momentum[0] + momentum[1] * momentum[1] + momentum[2] * momentum[2]) * (most * most);
-    } else {
-      four(spin) = four(momentum) * four(inverse + 4);
-      spin2 = spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2];
-      turn_even(q, spin, spin2, dt);
-      f = frame_of(q);
-    }
-    spin[3] = reach;
-    const double* v = row + R::velocity;
-    fastest = larger(fastest, square_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) + square_root(spin2) * reach);
-    const std::size_t from = b.first_arm[k], count = b.first_arm[k + 1] - from;
-    place_arms(row, f, b.own_arms + from * R::arm_stride, b.arms + from * R::arm_stride, count);
-  }
-  b.farthest = fastest * dt;
+  for (std::size_t k = 0; k < b.count; ++k) fastest = larger(fastest, integrate_body(b, k));
+  b.farthest = fastest * b.dt;
 }
 
 }  // namespace
