@@ -13,7 +13,9 @@ void require_columns(const std::string& measure, std::size_t given, std::size_t 
     throw std::logic_error("measure " + measure + " gave another number of columns than it declares");
 }
 
-bool takes_rows(const Snapshot& s) { return is_multiple(s.packing().packing_fraction, s.options().rows_every); }
+bool takes_rows(const Snapshot& s) {
+  return !s.packing().shapes.empty() || is_multiple(s.packing().packing_fraction, s.options().rows_every);
+}
 
 }  // namespace
 
@@ -38,7 +40,7 @@ Measure frame_measure(MeasureText text, std::vector<ColumnInfo> columns,
 
 Measure seldom_measure(MeasureText text, std::vector<ColumnInfo> columns,
                        std::function<std::vector<double>(const Snapshot&)> values) {
-  text.formula += " Missing at packing fractions that are no multiples of rows_every.";
+  text.formula += " Missing at packing fractions that are no multiples of rows_every (discs and spheres).";
   const std::size_t count = columns.size();
   return frame_measure(std::move(text), std::move(columns), [count, values = std::move(values)](const Snapshot& s) {
     return takes_rows(s) ? values(s) : std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());

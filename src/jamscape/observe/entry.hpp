@@ -24,7 +24,8 @@ Measure seldom_measure(MeasureText text, std::vector<ColumnInfo> columns,
                        std::function<std::vector<double>(const Snapshot&)> values);
 
 /// Several rows a frame: a vector per column, the `abscissae` leading ones name the row. Evaluated only where the
-/// packing fraction is a multiple of MeasureOptions::rows_every; a table without rows otherwise.
+/// packing fraction is a multiple of MeasureOptions::rows_every; a table without rows otherwise. Packings of clusters,
+/// a few a run, pressed to no packing fraction in particular, always have their rows.
 Measure rows_measure(MeasureText text, std::vector<ColumnInfo> columns, int abscissae, bool averaged,
                      std::function<std::vector<std::vector<double>>(const Snapshot&)> values);
 

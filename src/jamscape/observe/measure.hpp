@@ -16,8 +16,8 @@ namespace jam {
 /// How often a measure's rows occur, and in which table they stand.
 enum class Rows {
   frame,  ///< one row a frame: the columns join the table `frames`
-  many,   ///< several rows a frame (bins, thresholds, points): a table of its own, named after the measure; no rows at
-          ///< packing fractions that are not multiples of MeasureOptions::rows_every
+  many,   ///< several rows a frame (bins, thresholds, points): a table of its own, named after the measure; no rows of
+          ///< discs and spheres at packing fractions that are not multiples of MeasureOptions::rows_every
 };
 
 /// How realisations of one state are averaged. A missing value (NaN) never counts.

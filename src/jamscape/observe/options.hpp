@@ -69,7 +69,7 @@ struct MeasureOptions {
     v.option(
         "rows_every", rows_every,
         {.text = "measures with several rows a frame are taken at packing fractions that are multiples of this; 0: at "
-                 "every frame",
+                 "every frame, as always for clusters",
          .min = 0,
          .max = 1,
          .source = "S1 Figs. 9, 10"});

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/geometry/cluster_shape.hpp"
 #include "jamscape/observe/entry.hpp"
 #include "jamscape/observe/explain.hpp"
 #include "packings.hpp"
@@ -64,6 +65,16 @@ TEST_P(EveryMeasure, WithSeveralRowsIsLeftOutBetweenItsPackingFractions) {
     EXPECT_EQ(t.rows(), m.rows == Rows::frame ? 1u : 0u) << m.name;
     EXPECT_GT(m.evaluate(all).rows(), 0u) << m.name;
   }
+}
+
+TEST(SeveralRows, OfClustersAreTakenAtAnyPackingFraction) {
+  Packing p = box(2, {20, 20, 0});
+  p.packing_fraction = 0.807;
+  p.shapes = {cross_shape(3)};
+  add_body(p, {5, 5, 0});
+  const Snapshot s(p, {});
+  for (const char* name : {"particle_stress", "stress_distribution", "level_sets"})
+    EXPECT_GT(find_measure(name).evaluate(s).rows(), 0u) << name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, EveryMeasure, testing::Values(2, 3));
