@@ -2,6 +2,7 @@
 // three systems of a few hundred grains, all tables and stored frames. Nothing in it was simulated.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -18,5 +19,8 @@ void write_fixture(const std::filesystem::path& folder, const FixtureParts& part
 
 /// Three systems, two of discs and one of spheres, with relaxations and level sets.
 void write_network_fixture(const std::filesystem::path& folder);
+
+/// Six systems of clusters in containers, crosses in two dimensions and stars in a cylinder.
+void write_cluster_fixture(const std::filesystem::path& folder, std::int64_t grains = 60);
 
 }  // namespace jam

@@ -63,8 +63,9 @@ class ReportPage : public testing::Test {
         "'" + browser_ + "' --headless=new --no-sandbox --disable-gpu --hide-scrollbars --window-size=1400,1000 " +
         graphics +
         " --disable-background-networking --host-resolver-rules='MAP * ~NOTFOUND' --proxy-server=127.0.0.1:9" +
-        " --user-data-dir='" + (folder_ / "profile").string() + "' --enable-logging=stderr --virtual-time-budget=20000" +
-        " --dump-dom 'file://" + (folder_ / "probed.html").string() + "' 2>'" + log.string() + "'");
+        " --user-data-dir='" + (folder_ / "profile").string() +
+        "' --enable-logging=stderr --virtual-time-budget=20000" + " --dump-dom 'file://" +
+        (folder_ / "probed.html").string() + "' 2>'" + log.string() + "'");
     console_.clear();
     const std::string all = read_text(log);
     for (std::size_t at = 0; (at = all.find(":CONSOLE", at)) != std::string::npos; ++at) {
@@ -116,6 +117,26 @@ TEST_F(ReportPage, ShowsNetworksInTwoAndThreeDimensions) {
                                         "topology", "forces", "order", "mechanics", "explorer"}));
     EXPECT_EQ(found.at("heat_maps"), 3 * 5 + 1);  // b2 of the spheres only
     EXPECT_EQ(found.at("spheres"), 1);
+    EXPECT_EQ(found.at("blank"), 0) << graphics;
+    EXPECT_FALSE(found.at("wider"));
+  }
+}
+
+TEST_F(ReportPage, ShowsPackingsOfClusters) {
+  write_cluster_fixture(folder_);
+  write_report(folder_);
+  for (const char* graphics : {"--enable-unsafe-swiftshader", "--disable-3d-apis"}) {
+    const Json found = open_page(graphics);
+    ASSERT_TRUE(found.at("ready")) << console_;
+    EXPECT_EQ(console_, "") << graphics;
+    EXPECT_EQ(found.at("problems").size(), 0u) << found.at("problems");
+    EXPECT_EQ(sections(found), (std::vector<std::string>{"systems", "shapes", "networks", "contact-forces", "radial",
+                                                         "particle-stress", "final"}));
+    // P(f), G(r) and P(i) of crosses and of stars; k, solid fraction and Z over sphericity
+    EXPECT_EQ(found.at("charts"), 3 * 2 + 3);
+    EXPECT_EQ(found.at("spheres"), 3);
+    // and on top of these the emblem, 6 packings with a key, 6 shapes
+    EXPECT_EQ(found.at("canvases"), 9 + 1 + 7 + 6);
     EXPECT_EQ(found.at("blank"), 0) << graphics;
     EXPECT_FALSE(found.at("wider"));
   }

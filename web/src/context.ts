@@ -5,8 +5,9 @@ import type { Data, Estimate } from "./data";
 import { jammingOf, jammingSymbol } from "./data";
 import { h } from "./dom";
 import type { State } from "./state";
+import { clusterLabels, shapeRanks } from "./kinds";
 import { systemLabel } from "./symbols";
-import { systemColour, systemDash } from "./theme";
+import { assignColours, shapeColour, systemColour, systemDash } from "./theme";
 
 export interface Section {
   id: string;
@@ -26,7 +27,10 @@ export class Context {
     readonly data: Data,
     readonly state: State,
   ) {
-    this.labels = data.study.systems.map((system) => systemLabel(data.study, system));
+    this.labels = clusterLabels(data) ?? data.study.systems.map((system) => systemLabel(data.study, system));
+    // Shapes in the order of their arms; systems of one shape in several containers share its colour.
+    const ranks = shapeRanks(data);
+    if (ranks.every((rank) => rank !== null)) assignColours(ranks.map((rank) => shapeColour(rank!)));
   }
 
   /** The label of a system after its colour. */

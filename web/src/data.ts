@@ -45,9 +45,15 @@ export interface Surfaces {
   systems: { rho: number[]; thresholds: number[]; unrelaxed?: number[]; quantities: Record<string, Estimate> }[];
 }
 
-/** blocks named after measures with several rows a frame (force_distribution, pair_correlation, betti) */
+/** blocks named after measures with several rows a frame, over packing fraction (force_distribution, pair_correlation, betti) */
 export interface Distribution {
   systems: { frames: { rho: number; x: number[]; quantities: Record<string, Estimate> }[] }[];
+}
+
+/** such blocks of the final state only: one frame a system, or none (contact_force_distribution, stress_distribution,
+ * radial_distribution) */
+export interface FinalDistribution {
+  systems: { frames: { x: number[]; quantities: Record<string, Estimate> }[] }[];
 }
 
 /** block "columns": what a column of ensemble/frames.csv means */
@@ -79,11 +85,33 @@ export interface Score {
   published: { system: number; value: number }[];
 }
 
+/** For size factor 1: of each arm centre, direction, half length and radius; circumscribed radius and length L. */
+export interface ClusterShape {
+  arms: number[][];
+  circumradius: number;
+  length: number;
+}
+
+/** What a packing of clusters has beside its nodes, whose radius is that of the circumscribed sphere. */
+export interface Clusters {
+  shapes: ClusterShape[];
+  /** uint16 index of the shape per grain; absent where all have the first */
+  shape?: string;
+  /** uint16 in [-1, 1] per grain: w, x, y, z of a unit quaternion; in two dimensions w and z */
+  orientation: string[];
+  /** uint16 i = I1/<I1> per grain over stress_max */
+  stress: string;
+  stress_max: number;
+  cylinder?: { axis: number; centre: number[]; radius: number };
+}
+
 /** One packing: nodes are grains, then beads of walls, then points where a line ends at a wall or a periodic border. */
 export interface NetworkFrame {
   rho: number;
   /** only there because it is the first where its system is jammed */
   own?: boolean;
+  /** of a container: the stage that ended here */
+  stage?: string;
   realisation: number;
   /** corners of the picture, two or three coordinates */
   lower: number[];
@@ -102,6 +130,7 @@ export interface NetworkFrame {
   pairs: string;
   force: string;
   force_max: number;
+  clusters?: Clusters;
 }
 
 export interface Networks {
@@ -111,6 +140,7 @@ export interface Networks {
 export interface DiagramFrame {
   rho: number;
   own?: boolean;
+  stage?: string;
   realisation: number;
   /** per dimension: uint16 birth, death per pair over value_max; one byte per pair: 1 = never dies */
   dimensions: { pairs: number; values: string; essential: string }[];
@@ -119,6 +149,50 @@ export interface DiagramFrame {
 
 export interface Diagrams {
   systems: DiagramFrame[][];
+}
+
+/** block "final": the last states of containers, mean and standard error over realisations; null for other systems */
+export interface Final {
+  systems: ({ realisations: number; quantities: Record<string, { mean: number; se: number | null }> } | null)[];
+}
+
+/** A shape as the block "shapes" has it: lengths in d, distances of neighbours in L (null where S3 gives none). */
+export interface ShapeFacts extends ClusterShape {
+  name: string;
+  sphericity: number;
+  aspect: number;
+  volume: number;
+  surface: number;
+  area: number;
+  inertia: number[];
+  d1: number | null;
+  d2: number | null;
+  d3: number | null;
+  j1: number | null;
+}
+
+/** block "shapes": per system, null for discs and spheres */
+export interface Shapes {
+  systems: (ShapeFacts[] | null)[];
+}
+
+interface Curve {
+  x: number[];
+  y: number[];
+}
+
+/** block "conzelmann": what S3 prints */
+export interface Conzelmann {
+  /** Mueth's law over f */
+  mueth: Curve;
+  exponents: { domain: string; sphericity: number; exponent: number; error: number | null }[];
+  /** fits of the exponent over sphericity */
+  exponent_2d: Curve;
+  exponent_slab: Curve;
+  /** sphericities that a value of the text stands for */
+  plateau: [number, number];
+  critical: { crosses: number; stars: number };
+  peaks: { dimension: number; sphericity: number; peaks: (number | null)[] }[];
 }
 
 export function block<T>(id: string): T | null {
@@ -135,7 +209,11 @@ export interface Data {
   score: Score | null;
   networks: Networks | null;
   diagrams: Diagrams | null;
+  final: Final | null;
+  shapes: Shapes | null;
+  conzelmann: Conzelmann | null;
   distribution: (measure: string) => Distribution | null;
+  finalDistribution: (measure: string) => FinalDistribution | null;
 }
 
 export function load(): Data {
@@ -150,7 +228,11 @@ export function load(): Data {
     score: block("score"),
     networks: block("networks"),
     diagrams: block("diagrams"),
+    final: block("final"),
+    shapes: block("shapes"),
+    conzelmann: block("conzelmann"),
     distribution: (measure) => block(`many-${measure}`),
+    finalDistribution: (measure) => block(`many-${measure}`),
   };
 }
 
@@ -168,6 +250,12 @@ export function jammingSymbol(data: Data): string {
 /** Grains of a system; 1 where they are not known. */
 export function grainsOf(study: Study, system: number): number {
   return Number(study.systems[system].options["grains.count"] ?? 1);
+}
+
+/** The shape of a system's grains; null for discs, spheres and mixtures. */
+export function shapeOf(data: Data, system: number): ShapeFacts | null {
+  const shapes = data.shapes?.systems[system];
+  return shapes?.length === 1 ? shapes[0] : null;
 }
 
 export function dimensionOf(study: Study, system: number): number {

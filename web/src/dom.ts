@@ -15,7 +15,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
 }
 
 /** Markup written in this program (symbols with sub- and superscripts); text from data goes through escape(). */
-export function markup(html: string, tag: "span" | "p" | "div" = "span", className = ""): HTMLElement {
+export function markup(html: string, tag: "span" | "p" | "div" | "th" = "span", className = ""): HTMLElement {
   const element = h(tag, className);
   element.innerHTML = html;
   return element;
@@ -33,6 +33,13 @@ export function escape(text: string): string {
 export function table(className: string, head: string[], rows: string[][]): HTMLElement {
   const row = (cells: string[], tag: string) => `<tr>${cells.map((c) => `<${tag}>${c}</${tag}>`).join("")}</tr>`;
   return h("div", "scroll", markupTable(className, row(head, "th"), rows.map((r) => row(r, "td")).join("")));
+}
+
+/** A table whose cells are text or nodes; the head is markup. */
+export function tableOf(className: string, head: string[], rows: (string | Node)[][]): HTMLElement {
+  const top = h("tr", "", ...head.map((html) => markup(html, "th")));
+  const body = rows.map((cells) => h("tr", "", ...cells.map((cell) => h("td", "", cell))));
+  return h("div", "scroll", h("table", className, h("thead", "", top), h("tbody", "", ...body)));
 }
 
 function markupTable(className: string, head: string, body: string): HTMLElement {

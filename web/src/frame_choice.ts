@@ -1,15 +1,16 @@
 // Which of the stored packings is pictured, and the buttons that choose it for all pictures.
 import type { Context } from "./context";
 import { jammingOf, jammingSymbol } from "./data";
-import { h, markup } from "./dom";
+import { escape, h, markup } from "./dom";
 import { plain } from "./numbers";
 import type { FrameChoice } from "./state";
 
 /** The frame of a system that a choice means, or null when it has none. */
-export function pick<F extends { rho: number }>(frames: F[], choice: FrameChoice, jamming: number | null): F | null {
+export function pick<F extends { rho: number; stage?: string }>(frames: F[], choice: FrameChoice, jamming: number | null): F | null {
   if (!frames.length) return null;
   const last = frames[frames.length - 1];
   if (choice === "last") return last;
+  if (typeof choice === "string" && choice.startsWith("stage:")) return frames.find((f) => f.stage === choice.slice(6)) ?? last;
   if (choice === "own") return frames.find((f) => jamming !== null && f.rho >= jamming - 1e-9) ?? last;
   const off = typeof choice === "string" ? Number(choice.slice(4)) : null;
   if (off !== null && jamming === null) return last;
@@ -17,7 +18,7 @@ export function pick<F extends { rho: number }>(frames: F[], choice: FrameChoice
   return frames.reduce((best, f) => (Math.abs(f.rho - rho) < Math.abs(best.rho - rho) ? f : best));
 }
 
-type Framed = { rho: number; own?: boolean }[][];
+type Framed = { rho: number; own?: boolean; stage?: string }[][];
 
 /** More packing fractions than these are no choice any more. */
 const MOST = 14;
@@ -28,6 +29,8 @@ const OFFS = [-0.1, -0.05, -0.02, 0, 0.02, 0.05, 0.1];
  * share none, distances from jamming.
  */
 export function choicesOf(context: Context, systems: Framed): [FrameChoice, string][] {
+  const stages = [...new Set(systems.flat().flatMap((f) => f.stage ?? []))];
+  if (stages.length) return stages.map((stage) => [`stage:${stage}`, `after ${escape(stage)}`]);
   const symbol = jammingSymbol(context.data);
   const own: [FrameChoice, string] = ["own", `each just above its ${symbol}`];
   const rhos = rhosOf(systems);
@@ -45,10 +48,12 @@ export function choicesOf(context: Context, systems: Framed): [FrameChoice, stri
   return [...offs, ["last", "each at its densest"]];
 }
 
-/** Buttons for the packing fraction, and one that plays through all. */
-export function chooser(context: Context, systems: Framed): HTMLElement {
+/** Buttons for the packing fraction, and one that plays through all; nothing where there is no choice. */
+export function chooser(context: Context, systems: Framed): HTMLElement | null {
   const { frame } = context.state;
   const choices = choicesOf(context, systems);
+  const staged = systems.flat().some((f) => f.stage);
+  if (staged && choices.length < 2) return null;
   const buttons = choices.map(([choice, text]) => {
     const button = h("button", "choice", markup(text));
     button.addEventListener("click", () => frame.set(choice));
@@ -74,6 +79,7 @@ export function chooser(context: Context, systems: Framed): HTMLElement {
       else stop();
     }, 700);
   });
+  if (staged) return h("div", "chooser", ...buttons);
   return h("div", "chooser", markup("<i>ρ</i> =", "span", "chooser-label"), ...buttons, ...(steps.length > 2 ? [play] : []));
 }
 

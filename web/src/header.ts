@@ -4,9 +4,9 @@ import type { Study } from "./data";
 import { jammingOf } from "./data";
 import { h, markup } from "./dom";
 import { plain } from "./numbers";
-import { drawPacking } from "./packing";
-import { drawSpheres } from "./spheres/picture";
-import { START_LOOK, startView } from "./spheres/view";
+import { drawPacking, packingAspect } from "./packing";
+import { drawSpheres, spheresAspect } from "./spheres/picture";
+import { startLook } from "./spheres/view";
 import { pick } from "./frame_choice";
 
 function facts(study: Study): string[] {
@@ -27,13 +27,16 @@ function emblem(context: Context): HTMLElement | null {
   for (let system = systems.length - 1; system >= 0; --system) {
     const frame = pick(systems[system], "own", jammingOf(context.data, system));
     if (!frame) continue;
-    const size = 300;
+    const size = frame.clusters ? 260 : 300;
     const canvas = h("canvas");
-    canvas.style.width = canvas.style.height = `${size}px`;
+    canvas.style.width = `${size}px`;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "force network of one packing");
-    if (frame.axes.length === 3) drawSpheres(canvas, frame, size, startView(), START_LOOK);
-    else drawPacking(canvas, frame, size);
+    const three = frame.axes.length === 3;
+    const look = startLook(frame.clusters !== undefined);
+    canvas.style.height = `${size * (three ? spheresAspect(frame) : packingAspect(frame))}px`;
+    if (three) drawSpheres(canvas, frame, size, context.state.start, look);
+    else drawPacking(canvas, frame, size, look);
     const text = `${context.labels[system]}, <i>ρ</i> = ${plain(frame.rho, 3)}`;
     return h("div", "emblem", canvas, markup(text, "div", "emblem-text"));
   }

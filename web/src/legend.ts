@@ -3,6 +3,7 @@
 import type { Context } from "./context";
 import { jammingSymbol, type Study, type System } from "./data";
 import { h, markup } from "./dom";
+import { kindsOf } from "./kinds";
 import { optionSymbol, optionValue } from "./symbols";
 import type { Abscissa } from "./state";
 import { systemColour } from "./theme";
@@ -51,6 +52,13 @@ function groups(study: Study): Group[] {
   return out;
 }
 
+/** Containers of clusters, where there are several kinds. */
+function kindGroups(context: Context): Group[] | null {
+  const kinds = kindsOf(context.data);
+  if (kinds.length < 2) return null;
+  return kinds.map(({ label, systems }) => ({ label, members: context.labels.map((_, k) => systems.includes(k)) }));
+}
+
 /** A bar of more chips than these would cover too much of the screen to stay in view. */
 const MANY = 12;
 
@@ -70,7 +78,7 @@ export function legend(context: Context): HTMLElement {
   shown.watch((on) => chips.forEach((chip, k) => chip.setAttribute("aria-pressed", String(on[k]))));
   bar.append(...chips);
 
-  const choices = groups(context.data.study);
+  const choices = kindGroups(context) ?? groups(context.data.study);
   if (choices.length) {
     const all = { label: "all systems", members: context.labels.map(() => true) };
     const buttons = [all, ...choices].map((group) => {

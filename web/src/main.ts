@@ -11,6 +11,11 @@ import { forces } from "./sections/forces";
 import { generators } from "./sections/generators";
 import { mechanics } from "./sections/mechanics";
 import { networks } from "./sections/networks";
+import { contactForces } from "./sections/contact_forces";
+import { finalStates } from "./sections/final_states";
+import { particleStress } from "./sections/particle_stress";
+import { radial } from "./sections/radial";
+import { shapes } from "./sections/shapes";
 import { coordination, order } from "./sections/structure";
 import { summary, transitions } from "./sections/summary";
 import { surfaces } from "./sections/surfaces";
@@ -19,8 +24,13 @@ import { State } from "./state";
 
 const SECTIONS: Section[] = [
   summary,
+  shapes,
   transitions,
   networks,
+  contactForces,
+  radial,
+  particleStress,
+  finalStates,
   diagrams,
   generators,
   coordination,
@@ -34,7 +44,7 @@ const SECTIONS: Section[] = [
 
 function build(): void {
   const data = load();
-  const context = new Context(data, new State(data.study.systems.length));
+  const context = new Context(data, new State(data.study.systems.length, data.shapes !== null));
   const page = document.getElementById("report")!;
   const links: HTMLElement[] = [];
   const body: HTMLElement[] = [];
@@ -58,7 +68,9 @@ function footer(program: string): HTMLElement {
     "Bands are ± one standard error over realisations. Colours follow Okabe and Ito and stay apart for all kinds of colour " +
       "vision. The page holds all it shows and loads nothing.<br>S1: M. Kramár, A. Goulet, L. Kondic, K. Mischaikow, " +
       "<i>Persistence of force networks in compressed granular media</i>, Phys. Rev. E 87, 042207 (2013).<br>S2: L. Kovalcinova, A. Taranto, L. Kondic, <i>Interaction networks in " +
-      "persistence: two- and three-dimensional compressed granular systems</i>, arXiv:1901.08675.",
+      "persistence: two- and three-dimensional compressed granular systems</i>, arXiv:1901.08675.<br>S3: N. A. Conzelmann, A. Penn, " +
+      "M. N. Partl, F. J. Clemens, L. D. Poulikakos, C. R. Müller, <i>The link between packing morphology and the distribution of " +
+      "contact forces and stresses in packings of highly non-convex particles</i> (2020).",
     "p",
   );
   return h("footer", "", text, h("p", "", `Written by ${program} from the study's result files.`));

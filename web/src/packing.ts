@@ -1,8 +1,11 @@
-// Draws one packing with its force network: grains as discs, contacts as lines whose width and colour follow the force.
+// Draws one packing in two dimensions with its force network: grains as discs or clusters of arms, contacts as lines whose
+// width and colour follow the force.
+import { armsOf, lineUnit, PER_ARM, positionOf, STRONGEST_STRESS } from "./clusters";
 import type { NetworkFrame } from "./data";
 import { longs, words } from "./packed";
 import { pixelRatio } from "./pixel_ratio";
-import { heat } from "./theme";
+import type { Look } from "./spheres/view";
+import { heat, shaded } from "./theme";
 
 /** Forces above this many mean forces are drawn alike (S1 clamps there too). */
 export const STRONGEST = 5;
@@ -15,20 +18,62 @@ export function forceColour(force: number): string {
   return heat(force / 4);
 }
 
-/** Forces below `least`, in mean forces, are left out. */
-export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size: number, least = 0): void {
+/** How many times the picture of a packing is higher than wide: containers are higher. */
+export function packingAspect(frame: NetworkFrame): number {
+  if (!frame.clusters) return 1;
+  const [across, up] = [0, 1].map((a) => frame.upper[a] - frame.lower[a]);
+  return Math.min(Math.max(up / across, 1), 2);
+}
+
+type Place = (position: number) => number;
+
+/** Arms as thick lines, with a contour that leaves out what lies inside a body. `colour` is that of a stress. */
+function drawClusters(
+  ctx: CanvasRenderingContext2D,
+  frame: NetworkFrame,
+  scale: number,
+  [x, y]: [Place, Place],
+  colour: (stress: number) => string,
+): void {
+  const arms = armsOf(frame, [0, 0, 0]);
+  const contour = Math.min(Math.max(0.06 * scale, 0.4 * pixelRatio), 1.5 * pixelRatio);
+  ctx.lineCap = "round";
+  for (const inside of [false, true])
+    for (let k = 0; k < arms.length; k += PER_ARM) {
+      const paint = colour(arms[k + 7]);
+      const thick = 2 * arms[k + 6] * scale;
+      const bare = thick < 5 * contour; // too thin for one
+      if (bare && !inside) continue;
+      ctx.strokeStyle = inside ? paint : shaded(paint, 0.7);
+      ctx.lineWidth = Math.max(thick - (inside && !bare ? 2 * contour : 0), 0.5 * pixelRatio);
+      ctx.beginPath();
+      ctx.moveTo(x(arms[k]), y(arms[k + 1]));
+      ctx.lineTo(x(arms[k + 3]), y(arms[k + 4]));
+      ctx.stroke();
+    }
+}
+
+const PALE = "#e6ebf1";
+const QUIET = "#d3dbe5";
+
+/** Of forces those from `look.least` on, in mean forces; `look.what` says whether clusters are coloured by their stress. */
+export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size: number, look: Look): void {
+  const { least } = look;
   const [x0, y0] = frame.lower;
   const [x1, y1] = frame.upper;
-  const scale = (size * pixelRatio) / Math.max(x1 - x0, y1 - y0);
-  canvas.width = canvas.height = Math.round(size * pixelRatio);
+  const aspect = packingAspect(frame);
+  const scale = size * pixelRatio * Math.min(1 / (x1 - x0), aspect / (y1 - y0));
+  canvas.width = Math.round(size * pixelRatio);
+  canvas.height = Math.round(size * pixelRatio * aspect);
   const ctx = canvas.getContext("2d")!;
   const left = (canvas.width - (x1 - x0) * scale) / 2;
   const top = (canvas.height - (y1 - y0) * scale) / 2;
   const [xs, ys] = frame.axes.map(words);
   const radius = words(frame.radius);
-  const from = (word: number, side: number) => (word / 65535) * (side + 2 * frame.margin) - frame.margin;
-  const x = (node: number) => left + from(xs[node], x1 - x0) * scale;
-  const y = (node: number) => canvas.height - top - from(ys[node], y1 - y0) * scale;
+  const acrossAt: Place = (position) => left + (position - x0) * scale;
+  const upAt: Place = (position) => canvas.height - top - (position - y0) * scale;
+  const x = (node: number) => acrossAt(positionOf(frame, xs[node], 0));
+  const y = (node: number) => upAt(positionOf(frame, ys[node], 1));
   const r = (node: number) => (radius[node] / 65535) * frame.radius_max * scale;
 
   const pairs = frame.nodes > 65535 ? longs(frame.pairs) : words(frame.pairs);
@@ -52,9 +97,19 @@ export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size
     ctx.lineWidth = Math.max(0.03 * scale, 0.35 * pixelRatio);
     ctx.stroke();
   };
-  discs(frame.grains, frame.grains + frame.beads, "#c3cad6", "#a9b2c0", () => true);
-  discs(0, frame.grains, "#fbfcfd", "#d9dfe7", (node) => touched[node] < 2);
-  discs(0, frame.grains, "#eceff4", "#c8d0db", (node) => touched[node] >= 2);
+  if (frame.clusters) {
+    ctx.strokeStyle = "#aab4c2";
+    ctx.lineWidth = 1.5 * pixelRatio;
+    ctx.strokeRect(acrossAt(x0), upAt(y1), (x1 - x0) * scale, (y1 - y0) * scale);
+    const stress = (i: number) => (i > 0 ? heat(i / STRONGEST_STRESS) : PALE);
+    const quiet = (i: number) => (i > 0 ? QUIET : PALE);
+    drawClusters(ctx, frame, scale, [acrossAt, upAt], look.what === "grains" ? stress : quiet);
+    if (look.what === "grains") return;
+  } else {
+    discs(frame.grains, frame.grains + frame.beads, "#c3cad6", "#a9b2c0", () => true);
+    discs(0, frame.grains, "#fbfcfd", "#d9dfe7", (node) => touched[node] < 2);
+    discs(0, frame.grains, "#eceff4", "#c8d0db", (node) => touched[node] >= 2);
+  }
 
   // Weak contacts first, so that strong ones lie on top; one path per class of force keeps it fast.
   const classes: number[][] = Array.from({ length: COLOURS }, () => []);
@@ -67,7 +122,7 @@ export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size
   classes.forEach((members, k) => {
     const value = (k / (COLOURS - 1)) * STRONGEST;
     ctx.strokeStyle = forceColour(value);
-    ctx.lineWidth = Math.max(value * WIDTH * scale, 0.4 * pixelRatio);
+    ctx.lineWidth = Math.max(value * WIDTH * lineUnit(frame) * scale, 0.4 * pixelRatio);
     ctx.beginPath();
     for (const c of members) {
       ctx.moveTo(x(pairs[2 * c]), y(pairs[2 * c]));
@@ -75,6 +130,19 @@ export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size
     }
     ctx.stroke();
   });
+}
+
+/** The scale of the colour of clusters: stresses from 0 to STRONGEST_STRESS. */
+export function drawStressKey(canvas: HTMLCanvasElement, width: number, height: number): void {
+  canvas.width = width * pixelRatio;
+  canvas.height = height * pixelRatio;
+  canvas.style.width = `${width}px`;
+  canvas.style.height = `${height}px`;
+  const ctx = canvas.getContext("2d")!;
+  for (let px = 0; px < canvas.width; ++px) {
+    ctx.fillStyle = heat(px / canvas.width);
+    ctx.fillRect(px, 0, 1, canvas.height);
+  }
 }
 
 /** The scale of width and colour: lines from 0 to STRONGEST mean forces. */

@@ -1,15 +1,20 @@
 // Canvases that follow the reader's choices, and what a click on one opens.
 import type { Context } from "./context";
-import { h, markup } from "./dom";
+import { escape, h, markup } from "./dom";
 import { plain } from "./numbers";
 import { makeTurnable } from "./spheres/picture";
 import { systemColour } from "./theme";
 
+interface Framed {
+  rho: number;
+  stage?: string;
+}
+
 /** `turning`: the reader may be turning it; where that is slow a draft comes first, and the picture when he rests. */
 export type Draw = (canvas: HTMLCanvasElement, size: number, turning?: boolean) => void;
 
-/** A canvas that is drawn again at its new size, and anew when the choice changes. */
-export function picture(context: Context, draw: Draw, spheres = false): HTMLCanvasElement {
+/** A canvas that is drawn again at its new size, and anew when the choice changes; `aspect` is height over width. */
+export function picture(context: Context, draw: Draw, spheres = false, aspect = () => 1): HTMLCanvasElement {
   const canvas = h("canvas", "picture");
   canvas.setAttribute("role", "img");
   let size = 0;
@@ -22,6 +27,7 @@ export function picture(context: Context, draw: Draw, spheres = false): HTMLCanv
   const redraw = onceAFrame(() => {
     if (size) draw(canvas, size, true);
   });
+  context.state.frame.watch(() => (canvas.style.aspectRatio = String(1 / aspect())));
   const { frame, view, look } = context.state;
   frame.watch(redraw);
   look.watch(redraw);
@@ -43,19 +49,20 @@ function onceAFrame(call: () => void): () => void {
 }
 
 /** A large picture over the page. */
-export function enlarged(context: Context, title: string, draw: Draw, turnable = false): void {
-  const size = Math.min(window.innerWidth, window.innerHeight) - (turnable ? 120 : 90);
+export function enlarged(context: Context, title: string, draw: Draw, turnable = false, aspect = 1): void {
+  const size = Math.min(window.innerWidth - 90, (window.innerHeight - (turnable ? 120 : 90)) / aspect);
   const canvas = h("canvas", "large");
-  canvas.style.width = canvas.style.height = `${size}px`;
+  canvas.style.width = `${size}px`;
+  canvas.style.height = `${size * aspect}px`;
   const dialog = h("dialog", "lightbox", markup(title, "div", "picture-title"), canvas);
   if (turnable) dialog.append(markup("drag to turn, scroll for the size, Esc or a click outside to close", "div", "hint"));
   const redraw = onceAFrame(() => draw(canvas, size, true));
-  const stop = turnable ? context.state.view.watch(redraw) : () => {};
+  const stops = [context.state.view, context.state.look].map((value) => value.watch(redraw as () => void));
   dialog.addEventListener("click", (event) => {
     if (!turnable || event.target !== canvas) dialog.close();
   });
   dialog.addEventListener("close", () => {
-    stop();
+    for (const stop of stops) stop();
     dialog.remove();
   });
   if (turnable) makeTurnable(canvas, context.state, null, true);
@@ -65,7 +72,7 @@ export function enlarged(context: Context, title: string, draw: Draw, turnable =
 }
 
 /** System and packing fraction over a picture. */
-export function titleOf(context: Context, system: number, rho: number, what = ""): string {
+export function titleOf(context: Context, system: number, { rho, stage }: Framed, what = ""): string {
   const label = context.labels[system] + (what && `<span class="what">${what}</span>`);
-  return `<i class="swatch" style="background:${systemColour(system)}"></i><span>${label}</span><span class="rho"><i>ρ</i> = ${plain(rho, 4)}</span>`;
+  return `<i class="swatch" style="background:${systemColour(system)}"></i><span>${label}</span><span class="rho">${stage ? `${escape(stage)}, ` : ""}<i>ρ</i> = ${plain(rho, stage ? 3 : 4)}</span>`;
 }

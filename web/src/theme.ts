@@ -4,12 +4,24 @@
 const SYSTEMS = ["#0072b2", "#d55e00", "#009e73", "#b4508e", "#1b1b1b", "#c99700", "#56b4e9", "#8c564b"];
 const DASHES: (number[] | undefined)[] = [undefined, [7, 4], [2, 3], [9, 3, 2, 3]];
 
-export function systemColour(index: number): string {
+/** Colours that mean something in this study, by system; empty where the palette serves. */
+let own: string[] = [];
+
+export function assignColours(colours: string[]): void {
+  own = colours;
+}
+
+export function paletteColour(index: number): string {
   return SYSTEMS[index % SYSTEMS.length];
+}
+
+export function systemColour(index: number): string {
+  return own[index] ?? paletteColour(index);
 }
 
 /** Systems beyond the palette's length repeat its colours with dashes. */
 export function systemDash(index: number): number[] | undefined {
+  if (own.length) return undefined;
   return DASHES[Math.floor(index / SYSTEMS.length) % DASHES.length];
 }
 
@@ -24,8 +36,8 @@ const RHO_RAMP = ["#b9d3e6", "#7fb3d3", "#4a90c0", "#2b6ca3", "#1d4a7d", "#0f2c5
 // Viridis (Smith and van der Walt): equal steps look equal, with any colour vision and in grey.
 const VIRIDIS = ["#440154", "#482475", "#414487", "#355f8d", "#2a788e", "#21918c", "#22a884", "#44bf70", "#7ad151", "#bddf26", "#fde725"];
 
-/** Channels from 0 to 255. */
-function channels(colour: string): [number, number, number] {
+/** Channels of "#rrggbb" from 0 to 255. */
+export function channels(colour: string): [number, number, number] {
   const value = parseInt(colour.slice(1), 16);
   return [value >> 16, (value >> 8) & 255, value & 255];
 }
@@ -53,11 +65,25 @@ export const surface = (t: number): string => mix(VIRIDIS, t);
 /** t in [0, 1]: loose to dense. */
 export const depth = (t: number): string => mix(RHO_RAMP, t);
 
+/** A colour (either spelling) made darker or, with a factor above 1, lighter. */
+export function shaded(colour: string, factor: number): string {
+  const value = channels(colour.startsWith("#") ? colour : hex(colour));
+  return `rgb(${value.map((c) => Math.min(255, Math.round(c * factor))).join(",")})`;
+}
+
+/** Part of the way to white. */
+export function paler(colour: string, part: number): string {
+  return hex(`rgb(${channels(colour).map((c) => Math.round(c + part * (255 - c))).join(",")})`);
+}
+
 /** "#rrggbb" of "rgb(r,g,b)". */
 export function hex(rgb: string): string {
   const parts = rgb.match(/\d+/g)!.map(Number);
   return `#${parts.map((p) => p.toString(16).padStart(2, "0")).join("")}`;
 }
+
+/** Ranks in [0, 1], round to long arms: dark to light, but no paler than lines on white can be. */
+export const shapeColour = (t: number): string => hex(mix(VIRIDIS.slice(0, 9), t));
 
 export const INK = "#1f2733";
 export const MUTED = "#667085";

@@ -248,6 +248,7 @@ const std::vector<double>& RunFile::times() const { return state_->times; }
 const std::vector<std::string>& RunFile::stages() const { return state_->stages; }
 const std::vector<std::string>& RunFile::relaxations() const { return state_->relaxations; }
 const std::vector<double>& RunFile::packing_fractions() const { return state_->fraction; }
+const std::vector<ClusterShape>& RunFile::shapes() const { return state_->shapes; }
 
 Provenance RunFile::provenance() const {
   const hdf5::Lock lock;

@@ -74,6 +74,7 @@ class RunFile {
   const std::vector<std::string>& stages() const;
   const std::vector<std::string>& relaxations() const;  ///< Packing::relaxation of each frame
   const std::vector<double>& packing_fractions() const;
+  const std::vector<ClusterShape>& shapes() const;  ///< of all frames; empty for discs and spheres
   Provenance provenance() const;
 
   /// Throws a data error for a frame there is not, or a damaged one: what it returns has contacts that name grains and

@@ -27,7 +27,11 @@ Json frames_block(const Results& results);
 Json columns_block();
 
 /// Which frames of a measure with several rows a frame are shown.
-enum class FrameChoice { last, even };
+enum class FrameChoice {
+  densest,  ///< the one of the largest packing fraction
+  even,     ///< several, at even packing fractions
+  final     ///< the last one, whether its packing fraction was planned or not
+};
 
 struct ManyChoice {
   std::string measure;
@@ -42,6 +46,17 @@ std::vector<ManyChoice> many_choices();
 
 /// ensemble/<measure>.csv
 Json many_block(const Results& results, const ManyChoice& choice);
+
+/// The final states of containers: every quantity of ensemble/frames.csv, per system; null for a system whose packing
+/// fractions are planned.
+Json final_block(const Results& results);
+
+/// What the grains of each system are, from its stored frames: shape, sphericity, aspect ratio, volume and so on; null
+/// for discs and spheres.
+Json shapes_block(const Results& results, const std::vector<PictureSource>& sources);
+
+/// What S3 prints, beside which such results are shown.
+Json conzelmann_block();
 
 /// ensemble/level_sets.csv: quantities over packing fraction and force threshold.
 Json surfaces_block(const Results& results);

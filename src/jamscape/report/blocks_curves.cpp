@@ -29,6 +29,17 @@ Json estimate_json(const Estimates& estimates, std::size_t rows) {
   return {{"mean", rounded(head(estimates.mean), 5)}, {"se", rounded(head(estimates.error), 3)}};
 }
 
+std::vector<std::int64_t> chosen_frames(const SystemRows& rows, FrameChoice choice, double from) {
+  if (choice == FrameChoice::final) {
+    if (rows.frames.empty()) return {};
+    return {rows.frames.rbegin()->first};
+  }
+  std::map<std::int64_t, double> rhos;
+  for (const auto& [frame, at] : rows.frames)
+    if (at.rho >= from) rhos[frame] = at.rho;
+  return choice == FrameChoice::even ? even_frames(rhos, 16) : last_frame(rhos);
+}
+
 }  // namespace
 
 Json frames_block(const Results& results) {
@@ -44,6 +55,7 @@ Json frames_block(const Results& results) {
     std::map<double, std::int64_t> by_rho;
     std::set<std::string> names;
     for (const auto& [frame, at] : rows.frames) {
+      if (!has_target(at)) continue;
       by_rho[at.rho] = frame;
       for (const auto& [name, estimates] : at.quantities)
         if (!says_nothing(name, dimension)) names.insert(name);
@@ -86,8 +98,11 @@ Json columns_block() {
 
 std::vector<ManyChoice> many_choices() {
   return {{"force_distribution", FrameChoice::even, 0.7599, 0.4999, 6.2},
-          {"pair_correlation", FrameChoice::last, 0, 0, 8},
-          {"betti", FrameChoice::even, 0.6999, 0.4499, 5}};
+          {"pair_correlation", FrameChoice::densest, 0, 0, 8},
+          {"betti", FrameChoice::even, 0.6999, 0.4499, 5},
+          {"contact_force_distribution", FrameChoice::final, 0, 0, 10},
+          {"stress_distribution", FrameChoice::final, 0, 0, 10},
+          {"radial_distribution", FrameChoice::final, 0, 0, 4}};
 }
 
 Json many_block(const Results& results, const ManyChoice& choice) {
@@ -106,13 +121,8 @@ Json many_block(const Results& results, const ManyChoice& choice) {
     const SystemRows& rows = all[s];
     const std::int64_t dimension = results.study.systems[s].options.domain.dimension;
     const double from = dimension == 3 ? choice.from_3d : choice.from;
-    std::map<std::int64_t, double> rhos;
-    for (const auto& [frame, at] : rows.frames)
-      if (at.rho >= from) rhos[frame] = at.rho;
-    const std::vector<std::int64_t> wanted =
-        choice.frames == FrameChoice::even ? even_frames(rhos, 16) : last_frame(rhos);
     Json frames = Json::array();
-    for (const std::int64_t frame : wanted) {
+    for (const std::int64_t frame : chosen_frames(rows, choice.frames, from)) {
       const FrameRows& at = rows.frames.at(frame);
       const auto rows_shown = static_cast<std::size_t>(
           std::upper_bound(at.x.begin(), at.x.end(), choice.longest * (1 + 1e-9)) - at.x.begin());

@@ -1,5 +1,6 @@
 // Blocks of single packings: what the force network looks like, and its persistence diagrams.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "jamscape/io/run_file.hpp"
 #include "jamscape/report/blocks.hpp"
 #include "jamscape/report/drawing.hpp"
+#include "jamscape/report/shape_json.hpp"
 
 namespace jam {
 namespace {
@@ -18,6 +20,34 @@ std::string packed_axis(const Drawing& d, int axis, double margin) {
   values.reserve(d.position.size());
   for (const Vec3& at : d.position) values.push_back(at[axis]);
   return packed_words(values, d.lower[axis] - margin, d.upper[axis] + margin);
+}
+
+/// In two dimensions quaternions turn about z: w and z say all.
+Json clusters_json(const Drawing& d) {
+  Json shapes = Json::array();
+  for (const ClusterShape& shape : d.shapes) shapes.push_back(shape_json(shape));
+  std::array<std::vector<double>, 4> turned;
+  for (const Quaternion& q : d.orientation) {
+    const double parts[] = {q.w, q.x, q.y, q.z};
+    for (std::size_t k = 0; k < 4; ++k) turned[k].push_back(parts[k]);
+  }
+  Json orientation = Json::array();
+  for (std::size_t k = 0; k < 4; ++k)
+    if (d.dimension == 3 || k == 0 || k == 3) orientation.push_back(packed_words(turned[k], -1, 1));
+  const double most = d.stress.empty() ? 1 : std::max(1.0, *std::max_element(d.stress.begin(), d.stress.end()));
+  Json out = {{"shapes", std::move(shapes)},
+              {"orientation", std::move(orientation)},
+              {"stress", packed_words(d.stress, 0, most)},
+              {"stress_max", rounded(most)}};
+  if (d.shapes.size() > 1)
+    out["shape"] = packed_indices(std::vector<std::uint32_t>(d.shape.begin(), d.shape.end()), false);
+  if (d.cylinder) {
+    Json centre = Json::array();
+    for (int k = 0; k < 3; ++k) centre.push_back(rounded(d.cylinder->centre[k], 7));
+    out["cylinder"] = {
+        {"axis", d.cylinder->axis}, {"centre", std::move(centre)}, {"radius", rounded(d.cylinder->radius)}};
+  }
+  return out;
 }
 
 Json drawing_json(const Drawing& d) {
@@ -45,6 +75,7 @@ Json drawing_json(const Drawing& d) {
   out["pairs"] = packed_indices(d.ends, wide);
   out["force"] = packed_words(d.force, 0, force_max);
   out["force_max"] = rounded(force_max);
+  if (!d.shapes.empty()) out["clusters"] = clusters_json(d);
   return out;
 }
 
@@ -110,6 +141,7 @@ Json per_system(const std::vector<PictureSource>& sources, const Frames& frames_
 Json labelled(const PictureSource& source, const PictureFrame& frame, Json data) {
   data["rho"] = rounded(frame.rho, 6);
   if (frame.own) data["own"] = true;
+  if (!frame.stage.empty()) data["stage"] = frame.stage;
   data["realisation"] = source.task.realisation;
   return data;
 }

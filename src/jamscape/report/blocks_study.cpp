@@ -27,7 +27,8 @@ Json options_json(SystemOptions system) {
   }
   if (system.grains.sizes == SizeLaw::monodisperse) out["grains.width"] = 0;
   if (system.grains.sizes == SizeLaw::bidisperse) out.erase("grains.width");
-  if (!system.stages.empty()) out["speed"] = rounded(system.stages.back().speed, 8);
+  for (const StageOptions& stage : system.stages)
+    if (stage.kind != StageKind::relax && stage.kind != StageKind::settle) out["speed"] = rounded(stage.speed, 8);
   return out;
 }
 

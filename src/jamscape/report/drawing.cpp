@@ -5,6 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "jamscape/observe/force_network.hpp"
+#include "jamscape/observe/particle_stress.hpp"
+
 namespace jam {
 namespace {
 
@@ -38,9 +41,14 @@ class Sketch {
     d_.grains = d_.position.size();
     add_beads();
     d_.beads = d_.position.size() - d_.grains;
+    if (!p_.shapes.empty()) add_shapes();
   }
 
   Drawing finish(EdgeForce kind) {
+    if (!p_.shapes.empty()) {
+      add_pairs(kind);
+      return std::move(d_);
+    }
     const double mean = mean_force_between_grains(p_.contacts, kind);
     for (std::size_t c = 0; mean > 0 && c < p_.contacts.size(); ++c)
       if (p_.contacts.normal_force[c] > 0) add_contact(c, contact_force(p_.contacts, c, kind) / mean);
@@ -55,6 +63,34 @@ class Sketch {
     for (int a = 0; a < p_.dimension; ++a)
       if (periodic(a)) at[a] -= std::floor((at[a] - p_.domain.lo[a]) / side(a)) * side(a);
     return at;
+  }
+
+  /// Containers of clusters end at a lid, which is far above them until they have settled.
+  void add_shapes() {
+    d_.shapes = p_.shapes;
+    d_.shape = p_.grains.shape;
+    d_.orientation = p_.grains.orientation;
+    d_.stress = stress_ratios(particle_stresses(p_));
+    double top = d_.lower[1];
+    for (std::size_t k = 0; k < d_.grains; ++k) top = std::max(top, d_.position[k][1] + d_.radius[k]);
+    d_.upper[1] = std::min(d_.upper[1], top);
+    for (const Wall& wall : p_.walls) {
+      if (wall.kind != WallKind::cylinder) continue;
+      const auto along = [&](int axis) { return std::abs(wall.normal[axis]); };
+      const int axis = along(0) > along(1) ? (along(0) > along(2) ? 0 : 2) : (along(1) > along(2) ? 1 : 2);
+      d_.cylinder = Drawing::Cylinder{axis, wall.position, wall.radius};
+    }
+  }
+
+  void add_pairs(EdgeForce kind) {
+    MeasureOptions options;
+    options.force = kind;
+    options.clamp = 0;
+    const ForceNetwork network = force_network(p_, find_bonds(p_), options);
+    for (std::size_t e = 0; e < network.contact.size(); ++e) add_contact(network.contact[e], network.graph.weight[e]);
+    for (std::size_t c = 0; network.mean_force > 0 && c < p_.contacts.size(); ++c)
+      if (p_.contacts.j[c] < 0 && p_.contacts.normal_force[c] > 0)
+        add_contact(c, contact_force(p_.contacts, c, kind) / network.mean_force);
   }
 
   std::uint32_t node(const Vec3& at, double radius) {

@@ -1,6 +1,7 @@
 // The long tables of DIR/ensemble (one row per system, frame, abscissa and quantity), put into curves.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,11 +16,15 @@ struct Estimates {
 
 /// Mean and error of each quantity over the abscissae of one frame.
 struct FrameRows {
-  double rho = 0;
+  double rho = 0;         ///< planned packing fraction
   std::vector<double> x;  ///< the same for all quantities, taken from the first; empty for the table of frames
   std::string first;
   std::map<std::string, Estimates> quantities;
 };
+
+/// A container's packing fraction is what comes out, so that its frames have none as their target: they are told apart
+/// by their index, and the last one is the final state.
+inline bool has_target(const FrameRows& rows) { return std::isfinite(rows.rho); }
 
 struct SystemRows {
   std::map<std::int64_t, FrameRows> frames;  ///< by index of the frame

@@ -17,12 +17,26 @@ std::size_t most_pictures(std::int64_t grains) {
   return static_cast<std::size_t>(std::clamp<std::int64_t>(grains_shown / std::max<std::int64_t>(grains, 1), 3, 10));
 }
 
+/// The last frames of a container; few, since clusters take more room than spheres.
+std::vector<PictureFrame> container_frames(const std::vector<PictureFrame>& all, std::int64_t grains) {
+  const std::size_t most = grains <= 5000 ? 3 : 1;
+  return {all.end() - static_cast<std::ptrdiff_t>(std::min(all.size(), most)), all.end()};
+}
+
 /// Every planned frame, or those after a relaxation where there are any; nothing unless the task is done and holds them
 /// all.
 std::vector<PictureFrame> all_frames(const Results& results, const Task& task, const TaskFolder& folder) {
   std::vector<PictureFrame> frames;
   if (!has_all_frames(folder, task.plan)) return frames;
-  const auto stored = stored_frames(RunFile(folder.run_file()), task.plan);
+  const RunFile run(folder.run_file());
+  const auto stored = stored_frames(run, task.plan);
+  if (is_container(results.study.systems[task.system].options.domain.walls)) {
+    for (std::size_t k = 0; k < task.plan.frames.size(); ++k) {
+      const std::size_t at = stored.value()[k];
+      frames.push_back({run.packing_fractions()[at], at, false, task.plan.frames[k].stage});
+    }
+    return frames;
+  }
   const auto& relaxed = results.relaxations[task.system];
   for (std::size_t k = 0; k < task.plan.frames.size(); ++k)
     if (relaxed.empty() || relaxed.contains(static_cast<std::int64_t>(k)))
@@ -74,9 +88,11 @@ std::vector<PictureSource> choose_pictures(const Results& results) {
     if (!new_system && !sources.back().frames.empty()) continue;
     const TaskFolder folder(results.folder, task.hash);
     PictureSource source{task, folder, {}, all_frames(results, task, folder)};
-    source.frames =
-        chosen_frames(source.all, results.study.report.pictures,
-                      most_pictures(results.study.systems[task.system].options.grains.count), jamming[task.system]);
+    const SystemOptions& options = results.study.systems[task.system].options;
+    source.frames = is_container(options.domain.walls)
+                        ? container_frames(source.all, options.grains.count)
+                        : chosen_frames(source.all, results.study.report.pictures, most_pictures(options.grains.count),
+                                        jamming[task.system]);
     if (new_system)
       sources.push_back(std::move(source));
     else

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "jamscape/report/results.hpp"
@@ -11,9 +12,10 @@
 namespace jam {
 
 struct PictureFrame {
-  double rho;          ///< planned packing fraction
-  std::size_t stored;  ///< index in run.h5
-  bool own;            ///< only here because it is the first where its system is jammed
+  double rho;              ///< planned packing fraction; in a container the one found
+  std::size_t stored;      ///< index in run.h5
+  bool own;                ///< only here because it is the first where its system is jammed
+  std::string stage = {};  ///< in a container, where it tells the frames apart
 };
 
 struct PictureSource {
@@ -25,7 +27,7 @@ struct PictureSource {
 
 /// Per system of the study: its first finished realisation; the frames nearest to [report] pictures, or a few of them
 /// (even_frames()), fewer where the packings are large; and the first frame at or above the point where the system
-/// jams.
+/// jams. Of containers all frames, or the last where the packings are large.
 std::vector<PictureSource> choose_pictures(const Results& results);
 
 }  // namespace jam

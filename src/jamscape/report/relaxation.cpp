@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "jamscape/protocol/relaxation.hpp"
 #include "jamscape/report/results.hpp"
 
 namespace jam {
@@ -25,11 +26,11 @@ Relaxations count_relaxations(const Study& study, const Table& frames) {
     const auto count = [&]() -> RelaxationCount& {
       return systems[system->second][static_cast<std::int64_t>(frame[k])];
     };
-    if (ended[k] == "fluctuation")
+    if (ended[k] == relaxed_fluctuation)
       ++count().fluctuation;
-    else if (ended[k] == "energy")
+    else if (ended[k] == relaxed_energy)
       ++count().energy;
-    else if (ended[k] == "budget")
+    else if (ended[k] == not_relaxed)
       ++count().budget;
   }
   return systems;

@@ -21,6 +21,10 @@ void write_report(const std::filesystem::path& results_dir) {
   for (const ManyChoice& choice : many_choices()) add("many-" + choice.measure, many_block(results, choice));
   add("surfaces", surfaces_block(results));
   const std::vector<PictureSource> pictures = choose_pictures(results);
+  add("final", final_block(results));
+  const Json shapes = shapes_block(results, pictures);
+  if (!shapes.is_null()) add("conzelmann", conzelmann_block());
+  add("shapes", shapes);
   add("networks", networks_block(pictures, results.study.measure.force));
   add("diagrams", diagrams_block(pictures));
   write_text(results_dir / "report.html", print_page(page));

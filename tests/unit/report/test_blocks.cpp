@@ -1,6 +1,5 @@
 // What the report takes from a folder of results.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -16,16 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class ReportBlocks : public testing::Test {
- protected:
-  static fs::path folder() { return fs::temp_directory_path() / ("jamscape-blocks-" + std::to_string(::getpid())); }
-  static void SetUpTestSuite() {
-    fs::remove_all(folder());
-    fs::create_directories(folder());
-    write_fixture(folder());
-  }
-  static void TearDownTestSuite() { fs::remove_all(folder()); }
+struct Writer {
+  static constexpr const char* name = "jamscape-blocks-";
+  static void write(const fs::path& folder) { write_fixture(folder); }
 };
+using ReportBlocks = testing::StoredResults<Writer>;
 
 TEST_F(ReportBlocks, StudyNamesWhatDiffers) {
   const Json study = study_block(open_results(folder()));
@@ -118,6 +112,7 @@ TEST_F(ReportBlocks, TheSameResultsGiveTheSamePage) {
   fs::remove(folder() / "report.html");
   write_report(folder());
   EXPECT_EQ(read_text(folder() / "report.html"), first);
+  EXPECT_EQ(first.find("data-conzelmann"), std::string::npos);  // discs have no shapes
 }
 
 TEST_F(ReportBlocks, AFolderWithoutAStudyIsNamed) {

@@ -1,6 +1,5 @@
 // What the report takes from a study of interaction networks: relaxations, level sets, spheres.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -13,16 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class NetworkBlocks : public testing::Test {
- protected:
-  static fs::path folder() { return fs::temp_directory_path() / ("jamscape-networks-" + std::to_string(::getpid())); }
-  static void SetUpTestSuite() {
-    fs::remove_all(folder());
-    fs::create_directories(folder());
-    write_network_fixture(folder());
-  }
-  static void TearDownTestSuite() { fs::remove_all(folder()); }
+struct Writer {
+  static constexpr const char* name = "jamscape-networks-";
+  static void write(const fs::path& folder) { write_network_fixture(folder); }
 };
+using NetworkBlocks = testing::StoredResults<Writer>;
 
 TEST_F(NetworkBlocks, TheInflectionIsWhereASystemJams) {
   const auto points = jamming_points(open_results(folder()));

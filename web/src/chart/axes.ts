@@ -31,6 +31,13 @@ export function axes(options: ChartOptions): uPlot.Axis[] {
       const exponent = Math.round(power);
       return exponent === 0 ? "1" : exponent === 1 ? "10" : `10${superscript(exponent)}`;
     });
+  const { ticks } = options;
+  const named = ticks && {
+    splits: () => ticks.map((tick) => tick.at),
+    values: (_: uPlot, splits: number[]) => splits.map((at) => ticks.find((tick) => tick.at === at)?.text ?? ""),
+    grid: { show: false },
+    space: 5,
+  };
   return [
     { ...common, size: 30, space: 55, values: (_, splits) => splits.map((v) => plain(v)) },
     {
@@ -39,6 +46,7 @@ export function axes(options: ChartOptions): uPlot.Axis[] {
       size: (_, values) => Math.max(46, 15 + 7 * Math.max(0, ...(values ?? []).map((text) => text.length))),
       space: options.log ? 14 : 36,
       values: options.log ? decades : (_, splits) => splits.map((v) => (v === null ? "" : plain(v))),
+      ...named,
     },
   ];
 }

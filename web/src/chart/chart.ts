@@ -5,6 +5,7 @@ import { h, markup } from "../dom";
 import { INK } from "../theme";
 import { abscissaRange, axes, linearRange, logRange } from "./axes";
 import { joined, seriesIndices, seriesOf } from "./columns";
+import { markers, notes } from "./markers";
 import { decoration, dotIndex, hollowPoints, tooltip } from "./overlay";
 
 export interface Line {
@@ -17,6 +18,15 @@ export interface Line {
   band?: number;
   /** false: no dots even where the points are few */
   points?: boolean;
+  /** points of this form, and no line between them unless `joined` */
+  marker?: "disc" | "square" | "triangle" | "diamond";
+  joined?: boolean;
+  /** errors as bars at the points, in place of a band */
+  bars?: boolean;
+  /** drawn so much higher than it is */
+  shift?: number;
+  /** marks at the foot of a shifted line */
+  notes?: { x: number; text: string }[];
   /** index of the system this line belongs to, when the legend may hide it */
   system?: number;
   x: number[];
@@ -32,6 +42,7 @@ export interface Mark {
   system?: number;
   /** "line" over the whole height, or a "tick" on the axis */
   kind: "line" | "tick";
+  label?: string;
 }
 
 export interface ChartOptions {
@@ -48,6 +59,8 @@ export interface ChartOptions {
   zero?: boolean;
   xRange?: [number, number];
   yRange?: [number, number];
+  /** in place of the numbers of the ordinate */
+  ticks?: { at: number; text: string }[];
   /** a horizontal line worth seeing */
   level?: number;
   sync?: string;
@@ -112,7 +125,13 @@ export function chart(options: ChartOptions): Chart {
           points: { size: 7, width: 1.5, fill: "#fff" },
           sync: options.sync ? { key: options.sync, setSeries: false } : undefined,
         },
-        plugins: [decoration(options), hollowPoints(() => lines), tooltip(options, () => lines)],
+        plugins: [
+          decoration(options),
+          notes(() => lines),
+          markers(() => lines),
+          hollowPoints(() => lines),
+          tooltip(options, () => lines),
+        ],
       },
       joined(lines, options.log ?? false, floor),
       plot,

@@ -31,7 +31,7 @@ export function joined(lines: Line[], log: boolean, floor: number): uPlot.Aligne
         return;
       }
       if (log && known <= 0 && floor === 0) return;
-      const value = log ? Math.max(known, floor) : known;
+      const value = (log ? Math.max(known, floor) : known) + (line.shift ?? 0);
       const se = line.se?.[k] ?? 0;
       mean[at] = value;
       lower[at] = log ? Math.max(value - se, value / 20) : value - se;
@@ -47,10 +47,11 @@ export function seriesOf(lines: Line[]): { series: uPlot.Series[]; bands: uPlot.
   const bands: uPlot.Band[] = [];
   lines.forEach((line, k) => {
     const edge: uPlot.Series = { stroke: "transparent", width: 0, points: { show: false } };
-    const sparse = line.points !== false && line.x.length < 30;
+    const sparse = !line.marker && line.points !== false && line.x.length < 30;
+    const stroke = line.marker && !line.joined ? "transparent" : line.colour;
     series.push(
       {
-        stroke: line.colour,
+        stroke,
         width: line.width ?? 2,
         dash: line.dash,
         points: { show: sparse, size: 4.5, fill: line.colour, stroke: line.colour },
@@ -58,7 +59,7 @@ export function seriesOf(lines: Line[]): { series: uPlot.Series[]; bands: uPlot.
       { ...edge },
       { ...edge },
     );
-    bands.push({ series: [meanIndex(k) + 2, meanIndex(k) + 1], fill: faded(line.colour, line.band ?? 0.2) });
+    bands.push({ series: [meanIndex(k) + 2, meanIndex(k) + 1], fill: line.bars ? "transparent" : faded(line.colour, line.band ?? 0.2) });
   });
   return { series, bands };
 }

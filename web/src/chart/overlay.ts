@@ -4,7 +4,7 @@ import type { ChartOptions, Line } from "./chart";
 import { meanIndex } from "./columns";
 import { h } from "../dom";
 import { plain, withError } from "../numbers";
-import { faded } from "../theme";
+import { faded, FONT, MUTED } from "../theme";
 
 /** Draws marks and the level under the curves. */
 export function decoration(options: ChartOptions): uPlot.Plugin {
@@ -39,6 +39,13 @@ export function decoration(options: ChartOptions): uPlot.Plugin {
             ctx.lineTo(x, top + height);
             ctx.stroke();
             ctx.setLineDash([]);
+            if (mark.label) {
+              ctx.fillStyle = MUTED;
+              ctx.textAlign = "left";
+              ctx.textBaseline = "alphabetic";
+              ctx.font = `${11 * ratio}px ${FONT}`;
+              ctx.fillText(mark.label, x + 4 * ratio, top + 12 * ratio);
+            }
           }
           const size = 5 * ratio;
           ctx.fillStyle = mark.colour;

@@ -20,14 +20,14 @@ export const diagrams: Section = {
       if (!frames.length) return [];
       const chosen = () => pick(frames, context.state.frame.get(), jammingOf(context.data, system))!;
       const title = markup("", "div", "picture-title");
-      context.state.frame.watch(() => (title.innerHTML = titleOf(context, system, chosen().rho)));
+      context.state.frame.watch(() => (title.innerHTML = titleOf(context, system, chosen())));
       const plots = frames[0].dimensions.map((_, dimension) => {
           const draw = (canvas: HTMLCanvasElement, size: number) => drawDiagram(canvas, chosen(), dimension, size);
           const canvas = picture(context, draw);
           const name = `<i>β</i><sub>${dimension}</sub> ${["components", "loops", "voids"][dimension]}`;
           canvas.title = "click to enlarge";
           canvas.setAttribute("aria-label", `persistence diagram, dimension ${dimension}, ${context.data.study.systems[system].name}`);
-          canvas.addEventListener("click", () => enlarged(context, titleOf(context, system, chosen().rho, name), draw));
+          canvas.addEventListener("click", () => enlarged(context, titleOf(context, system, chosen(), name), draw));
           return h("div", "diagram", markup(name, "div", "diagram-name"), canvas);
         });
       const element = h("div", "cell", title, h("div", plots.length > 2 ? "pair three" : "pair", ...plots));
@@ -35,7 +35,7 @@ export const diagrams: Section = {
       return [element];
     });
     return [
-      chooser(context, diagrams.systems),
+      ...[chooser(context, diagrams.systems)].filter((bar) => bar !== null),
       figure("", [h("div", "pictures diagrams", ...cells)], {
         text:
           "Lowering a force threshold, a component or a loop of the network is born at one force and dies at a lower one: a " +

@@ -1,13 +1,19 @@
-// The box around a packing: its edges, and the names of its axes.
+// What stands around a packing: the edges of its box, or the outline of its cylinder; and the names of the axes.
 import { FONT, INK, MUTED } from "../theme";
 import type { Scene } from "./scene";
 import { rotate, type View } from "./view";
 
 type Point = [number, number, number];
+type Segment = [Point, Point];
 
-/** The twelve edges. */
-export function boxEdges(scene: Scene): [Point, Point][] {
-  const edges: [Point, Point][] = [];
+export function outline(scene: Scene): Segment[] {
+  if (scene.bare) return [];
+  return scene.cylinder ? cylinderLines(scene) : boxEdges(scene);
+}
+
+/** The twelve edges; four of a box without thickness. */
+function boxEdges(scene: Scene): Segment[] {
+  const edges: Segment[] = [];
   for (let axis = 0; axis < 3; ++axis)
     for (const u of [-1, 1])
       for (const v of [-1, 1]) {
@@ -23,10 +29,30 @@ export function boxEdges(scene: Scene): [Point, Point][] {
   return edges;
 }
 
-/** Three arrows in the lower left corner; `unit` is one pixel of the page. */
-export function drawAxes(ctx: CanvasRenderingContext2D, size: number, unit: number, view: View): void {
+const AROUND = 60;
+const UPRIGHT = 6;
+
+/** The circles at its two ends, and lines between them. */
+function cylinderLines(scene: Scene): Segment[] {
+  const { axis, centre, radius } = scene.cylinder!;
+  const point = (k: number, side: number): Point => {
+    const out: Point = [0, 0, 0];
+    const angle = (2 * Math.PI * k) / AROUND;
+    out[axis] = side * scene.half[axis];
+    out[(axis + 1) % 3] = centre[(axis + 1) % 3] + radius * Math.cos(angle);
+    out[(axis + 2) % 3] = centre[(axis + 2) % 3] + radius * Math.sin(angle);
+    return out;
+  };
+  const lines: Segment[] = [];
+  for (const side of [-1, 1]) for (let k = 0; k < AROUND; ++k) lines.push([point(k, side), point(k + 1, side)]);
+  for (let k = 0; k < AROUND; k += AROUND / UPRIGHT) lines.push([point(k, -1), point(k, 1)]);
+  return lines;
+}
+
+/** Three arrows in the lower left corner of a picture so high; `unit` is one pixel of the page. */
+export function drawAxes(ctx: CanvasRenderingContext2D, height: number, unit: number, view: View): void {
   const length = 24 * unit;
-  const [x0, y0] = [36 * unit, size - 36 * unit];
+  const [x0, y0] = [36 * unit, height - 36 * unit];
   const arrows = ["x", "y", "z"].map((name, axis) => {
     const unitVector = [0, 0, 0];
     unitVector[axis] = 1;

@@ -1,18 +1,24 @@
-// Draws packings of spheres with WebGL2. One context, out of sight, serves all pictures: each is copied into its own
+// Draws packings of spheres and clusters with WebGL2. One context, out of sight, serves all pictures: each is copied into its own
 // canvas, where it can be printed and read like any other figure.
-import { HEAT_STOPS } from "../theme";
-import { boxEdges } from "./box";
+import { channels, HEAT_STOPS } from "../theme";
+import { PER_ARM } from "../clusters";
+import { outline } from "./box";
 import { PER_CONTACT, PER_GRAIN, type Scene } from "./scene";
 import { ROD_FRAGMENT, ROD_VERTEX, SPHERE_FRAGMENT, SPHERE_VERTEX } from "./shaders";
 import { lensOf, type Look, type View } from "./view";
 
 /** Radius of a grain where forces are drawn too, in units of its own. */
 export const SHRINK = 0.36;
+/** And of an arm of a cluster: its skeleton. */
+export const SHRINK_ARM = 0.3;
 
 interface Buffers {
   spheres: WebGLVertexArrayObject;
   rods: WebGLVertexArrayObject;
   box: WebGLVertexArrayObject;
+  /** lines in `box` */
+  edges: number;
+  arms: WebGLVertexArrayObject | null;
 }
 
 class Renderer {
@@ -36,10 +42,12 @@ class Renderer {
   }
 
   /** False when the graphics card took too large a picture or lost it. */
-  draw(target: CanvasRenderingContext2D, size: number, scene: Scene, view: View, look: Look): void {
+  draw(target: CanvasRenderingContext2D, scene: Scene, view: View, look: Look): void {
     const { gl, canvas } = this;
-    if (canvas.width !== size || canvas.height !== size) canvas.width = canvas.height = size;
-    gl.viewport(0, 0, size, size);
+    const { width, height } = target.canvas;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    gl.viewport(0, 0, width, height);
     gl.clearColor(1, 1, 1, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
@@ -47,15 +55,17 @@ class Renderer {
 
     this.use(this.rod, scene, view, look);
     gl.bindVertexArray(buffers.box);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, 12);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, buffers.edges);
     if (look.what !== "grains") {
       gl.bindVertexArray(buffers.rods);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, scene.contacts.length / PER_CONTACT);
     }
-    if (look.what !== "forces") {
+    if (look.what !== "forces" && buffers.arms) {
+      gl.uniform1f(gl.getUniformLocation(this.rod, "body"), 1);
+      gl.bindVertexArray(buffers.arms);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, scene.arms.length / PER_ARM);
+    } else if (look.what !== "forces") {
       this.use(this.sphere, scene, view, look);
-      gl.uniform1f(gl.getUniformLocation(this.sphere, "shrink"), look.what === "both" ? SHRINK : 1);
-      gl.uniform1f(gl.getUniformLocation(this.sphere, "plain"), look.what === "both" ? 1 : 0);
       gl.bindVertexArray(buffers.spheres);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, scene.grains.length / PER_GRAIN);
     }
@@ -69,17 +79,25 @@ class Renderer {
     const at = (name: string) => gl.getUniformLocation(program, name);
     gl.useProgram(program);
     gl.uniformMatrix3fv(at("turn"), true, view.rotation);
+    const { width, height } = this.canvas;
+    const side = Math.max(width, height);
     gl.uniform1f(at("eye"), lens.eye);
-    gl.uniform1f(at("scale"), lens.scale);
+    gl.uniform2f(at("scale"), (lens.scale * side) / width, (lens.scale * side) / height);
+    gl.uniform1f(at("shrink"), look.what !== "both" ? 1 : program === this.sphere ? SHRINK : SHRINK_ARM);
+    gl.uniform1f(at("plain"), look.what === "both" ? 1 : 0);
+    gl.uniform1f(at("body"), 0);
+    gl.uniform1f(at("unit"), scene.unit);
     gl.uniform1f(at("front"), lens.front);
     gl.uniform1f(at("reach"), scene.reach);
     gl.uniform1f(at("least"), look.least);
-    gl.uniform3fv(at("ramp"), HEAT_STOPS.flat().map((c) => c / 255));
+    const ramp = scene.tint ? HEAT_STOPS.map(() => channels(scene.tint!)) : HEAT_STOPS;
+    gl.uniform3fv(at("ramp"), ramp.flat().map((c) => c / 255));
   }
 
   private buffersOf(scene: Scene): Buffers {
     let buffers = this.known.get(scene);
     if (!buffers) {
+      const edges = outlineRods(scene);
       const rods: [string, number, number][] = [["start", 3, 0], ["end", 3, 3], ["strength", 1, 6]];
       buffers = {
         spheres: this.instances(this.sphere, [
@@ -87,7 +105,17 @@ class Renderer {
           { data: scene.strongest, stride: 1, parts: [["strongest", 1, 0]] },
         ]),
         rods: this.instances(this.rod, [{ data: scene.contacts, stride: PER_CONTACT, parts: rods }]),
-        box: this.instances(this.rod, [{ data: boxRods(scene), stride: PER_CONTACT, parts: rods }]),
+        box: this.instances(this.rod, [{ data: edges, stride: PER_CONTACT, parts: rods }]),
+        edges: edges.length / PER_CONTACT,
+        arms: scene.arms.length
+          ? this.instances(this.rod, [
+              {
+                data: scene.arms,
+                stride: PER_ARM,
+                parts: [["start", 3, 0], ["end", 3, 3], ["thick", 1, 6], ["strength", 1, 7]],
+              },
+            ])
+          : null,
       };
       this.known.set(scene, buffers);
     }
@@ -142,9 +170,10 @@ class Renderer {
   }
 }
 
-/** Edges of the box as rods of no force. */
-function boxRods(scene: Scene): Float32Array {
-  return new Float32Array(boxEdges(scene).flatMap(([a, b]) => [...a, ...b, -1]));
+/** The outline as rods of no force. */
+function outlineRods(scene: Scene): Float32Array {
+  const tone = scene.cylinder ? -2 : -1; // before and behind the grains: light
+  return new Float32Array(outline(scene).flatMap(([a, b]) => [...a, ...b, tone]));
 }
 
 let renderer: Renderer | null | undefined;
@@ -152,7 +181,6 @@ let renderer: Renderer | null | undefined;
 /** False where there is no WebGL2 (then plain.ts draws). */
 export function drawWithGl(
   target: CanvasRenderingContext2D,
-  size: number,
   scene: Scene,
   view: View,
   look: Look,
@@ -166,6 +194,6 @@ export function drawWithGl(
     }
   }
   if (!renderer || renderer.lost) return false;
-  renderer.draw(target, size, scene, view, look);
+  renderer.draw(target, scene, view, look);
   return true;
 }

@@ -1,12 +1,12 @@
-// A picture of a packing of spheres that can be turned: by dragging, by the arrow keys, larger with + and −.
+// A picture of a packing of spheres or clusters that can be turned: by dragging, by the arrow keys, larger with + and −.
 import type { NetworkFrame } from "../data";
 import { pixelRatio } from "../pixel_ratio";
 import type { State } from "../state";
 import { drawAxes } from "./box";
 import { drawWithGl } from "./gl";
 import { drawPlain } from "./plain";
-import { sceneOf } from "./scene";
-import { startView, turned, type Look, type View } from "./view";
+import { sceneOf, type Scene } from "./scene";
+import { aspectOf, turned, type Look, type View } from "./view";
 
 /** A picture that takes longer than this, in ms, is turned as a draft: graphics cards are faster. */
 const SLOW = 80;
@@ -27,15 +27,31 @@ export function drawSpheres(
   look: Look,
   turning = false,
 ): boolean {
+  return drawScene(canvas, sceneOf(frame), size, view, look, turning);
+}
+
+/** How many times its picture is higher than wide. */
+export const spheresAspect = (frame: NetworkFrame): number => aspectOf(sceneOf(frame));
+
+/** `size` is the width of the picture. */
+export function drawScene(
+  canvas: HTMLCanvasElement,
+  scene: Scene,
+  size: number,
+  view: View,
+  look: Look,
+  turning = false,
+  axes = true,
+): boolean {
   const started = performance.now();
   const draft = turning && slow;
   const side = Math.round(size * pixelRatio * (draft ? DRAFT : 1));
-  if (canvas.width !== side || canvas.height !== side) canvas.width = canvas.height = side;
+  const height = Math.round(side * aspectOf(scene));
+  if (canvas.width !== side || canvas.height !== height) [canvas.width, canvas.height] = [side, height];
   const ctx = canvas.getContext("2d")!;
-  const scene = sceneOf(frame);
-  if (draft) drawPlain(ctx, side, scene, view, look, DRAFT_CONTACTS);
-  else if (!drawWithGl(ctx, side, scene, view, look)) drawPlain(ctx, side, scene, view, look);
-  drawAxes(ctx, side, (side / size) * Math.min(Math.max(size / 420, 0.8), 1.5), view);
+  if (draft) drawPlain(ctx, scene, view, look, DRAFT_CONTACTS);
+  else if (!drawWithGl(ctx, scene, view, look)) drawPlain(ctx, scene, view, look);
+  if (axes) drawAxes(ctx, height, (side / size) * Math.min(Math.max(size / 420, 0.8), 1.5), view);
   if (!draft) slow = performance.now() - started > SLOW;
   return draft;
 }
@@ -86,7 +102,7 @@ export function makeTurnable(canvas: HTMLCanvasElement, state: State, clicked: (
     ArrowDown: () => ({ ...view.get(), rotation: turned(view.get().rotation, 0, 0.1) }),
     "+": () => zoomed(view.get(), 1.2),
     "-": () => zoomed(view.get(), 1 / 1.2),
-    "0": startView,
+    "0": () => state.start,
   };
   canvas.addEventListener("keydown", (event) => {
     const next = keys[event.key];

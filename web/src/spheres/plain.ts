@@ -1,7 +1,9 @@
-// Draws packings of spheres without a graphics card: far things first, each sphere a picture made once per colour.
-import { heat } from "../theme";
-import { boxEdges } from "./box";
-import { SHRINK } from "./gl";
+// Draws packings of spheres and clusters without a graphics card: far things first, each sphere a picture made once per
+// colour, arms of clusters in short pieces.
+import { PER_ARM, STRONGEST_STRESS } from "../clusters";
+import { heat, shaded } from "../theme";
+import { outline } from "./box";
+import { SHRINK, SHRINK_ARM } from "./gl";
 import { PER_CONTACT, PER_GRAIN, type Scene } from "./scene";
 import { lensOf, rotate, type Look, type View } from "./view";
 
@@ -39,16 +41,16 @@ interface Item {
 /** Of the contacts at most the `most` strongest, and then no grains beside them. */
 export function drawPlain(
   ctx: CanvasRenderingContext2D,
-  size: number,
   scene: Scene,
   view: View,
   look: Look,
   most = Infinity,
 ): void {
   const lens = lensOf(scene, view, look);
-  const half = size / 2;
-  const x = (p: number[]) => half + (half * lens.scale * p[0]) / (lens.eye - p[2]);
-  const y = (p: number[]) => half - (half * lens.scale * p[1]) / (lens.eye - p[2]);
+  const { width, height } = ctx.canvas;
+  const half = Math.max(width, height) / 2;
+  const x = (p: number[]) => width / 2 + (half * lens.scale * p[0]) / (lens.eye - p[2]);
+  const y = (p: number[]) => height / 2 - (half * lens.scale * p[1]) / (lens.eye - p[2]);
   const pixels = (length: number, z: number) => (half * lens.scale * length) / (lens.eye - z);
   const pale = (z: number) => 1 - 0.45 * Math.min(Math.max((scene.reach - z) / (2 * scene.reach), 0), 1) ** 2;
   const items: Item[] = [];
@@ -68,10 +70,10 @@ export function drawPlain(
   };
 
   ctx.fillStyle = "#fff";
-  ctx.fillRect(0, 0, size, size);
+  ctx.fillRect(0, 0, width, height);
   ctx.lineCap = "round";
-  for (const [a, b] of boxEdges(scene))
-    rod(rotate(view.rotation, ...a), rotate(view.rotation, ...b), "#858f9e", 0.0064 * scene.reach);
+  for (const [a, b] of outline(scene))
+    rod(rotate(view.rotation, ...a), rotate(view.rotation, ...b), scene.cylinder ? "#bcc4ce" : "#858f9e", 0.0052 * scene.reach);
   if (look.what !== "grains")
     for (let k = Math.max(scene.contacts.length - PER_CONTACT * most, 0); k < scene.contacts.length; k += PER_CONTACT) {
       const c = scene.contacts;
@@ -80,11 +82,45 @@ export function drawPlain(
       const b = rotate(view.rotation, c[k + 3], c[k + 4], c[k + 5]);
       const middle = a.map((v, axis) => (v + b[axis]) / 2);
       if (middle[2] > lens.front) continue;
-      const [colour, width] = [heat(c[k + 6] / 4), 0.024 + 0.068 * Math.min(c[k + 6], 5)];
+      const [colour, width] = [heat(c[k + 6] / 4), scene.unit * (0.024 + 0.068 * Math.min(c[k + 6], 5))];
       for (const end of [a, b]) rod(end, middle, colour, width, Math.min(end[2], middle[2]) - 0.01); // behind its grain
     }
-  if (look.what === "grains" || (look.what === "both" && most === Infinity))
-    for (let k = 0; k < scene.strongest.length; ++k) {
+  const bodies = look.what === "grains" || (look.what === "both" && most === Infinity);
+  if (bodies)
+    for (let k = 0; k < scene.arms.length; k += PER_ARM) {
+      const arm = scene.arms.subarray(k, k + PER_ARM);
+      const a = rotate(view.rotation, arm[0], arm[1], arm[2]);
+      const b = rotate(view.rotation, arm[3], arm[4], arm[5]);
+      if ((a[2] + b[2]) / 2 > lens.front) continue;
+      const colour = scene.tint ?? (look.what === "both" ? "#ccd5df" : arm[7] > 0 ? heat(arm[7] / STRONGEST_STRESS) : "#edf1f5");
+      const thick = arm[6] * (look.what === "both" ? SHRINK_ARM : 1);
+      const pieces = Math.min(Math.max(Math.round(Math.hypot(...a.map((v, axis) => v - b[axis])) / (3 * thick)), 1), 4);
+      const cut = (part: number) => a.map((v, axis) => v + part * (b[axis] - v));
+      for (let piece = 0; piece < pieces; ++piece) {
+        const [from, to] = [cut(piece / pieces), cut((piece + 1) / pieces)];
+        const z = (from[2] + to[2]) / 2;
+        items.push({
+          z,
+          draw: () => {
+            const line = 2 * pixels(thick, z);
+            const stroke = (style: string, part: number) => {
+              ctx.strokeStyle = style;
+              ctx.lineWidth = Math.max(part * line, 0.5);
+              ctx.beginPath();
+              ctx.moveTo(x(from), y(from));
+              ctx.lineTo(x(to), y(to));
+              ctx.stroke();
+            };
+            ctx.globalAlpha = 1;
+            stroke(shaded(colour, 0.66), 1);
+            stroke(colour, 0.78);
+            stroke(shaded(colour, 1.14), 0.3);
+          },
+        });
+      }
+    }
+  if (bodies)
+    for (let k = 0; k < scene.grains.length / PER_GRAIN; ++k) {
       const g = scene.grains.subarray(PER_GRAIN * k, PER_GRAIN * (k + 1));
       const at = rotate(view.rotation, g[0], g[1], g[2]);
       if (at[2] > lens.front) continue;

@@ -1,18 +1,29 @@
-// One packing of spheres, unpacked for drawing: coordinates from the middle of the box, in mean grain diameters.
+// One packing of spheres or clusters, unpacked for drawing: coordinates from the middle of the box, in mean diameters.
+import { armsOf, lineUnit, positionOf } from "../clusters";
 import type { NetworkFrame } from "../data";
 import { longs, words } from "../packed";
 
 export interface Scene {
-  /** x, y, z, radius per grain */
+  /** x, y, z, radius per grain; empty for clusters */
   grains: Float32Array;
   /** per grain: the largest force at one of its contacts, in mean forces; −1 with fewer than two contacts */
   strongest: Float32Array;
   /** x, y, z of both ends and the force, per contact; weak ones first */
   contacts: Float32Array;
+  /** clusters: their arms (clusters.ts); else empty, and there are grains */
+  arms: Float32Array;
+  /** width of force lines, in diameters */
+  unit: number;
   /** half the sides of the box */
   half: [number, number, number];
+  /** an upright cylinder in place of the box */
+  cylinder: { axis: number; centre: number[]; radius: number } | null;
   /** of a ball about the middle that holds the box */
   reach: number;
+  /** nothing stands around it */
+  bare?: boolean;
+  /** colour of all arms, in place of their stress */
+  tint?: string;
 }
 
 export const PER_GRAIN = 4;
@@ -30,10 +41,12 @@ function unpack(frame: NetworkFrame): Scene {
   const half = [0, 1, 2].map((a) => (frame.upper[a] - frame.lower[a]) / 2) as Scene["half"];
   const axes = frame.axes.map(words);
   const radii = words(frame.radius);
-  const at = (node: number, axis: number) => (axes[axis][node] / 65535) * 2 * (half[axis] + frame.margin) - half[axis] - frame.margin;
+  const middle = half.map((side, a) => frame.lower[a] + side);
+  const at = (node: number, axis: number) => positionOf(frame, axes[axis][node], axis) - middle[axis];
 
-  const grains = new Float32Array(PER_GRAIN * frame.grains);
-  for (let g = 0; g < frame.grains; ++g) {
+  const balls = frame.clusters ? 0 : frame.grains;
+  const grains = new Float32Array(PER_GRAIN * balls);
+  for (let g = 0; g < balls; ++g) {
     for (let a = 0; a < 3; ++a) grains[PER_GRAIN * g + a] = at(g, a);
     grains[PER_GRAIN * g + 3] = (radii[g] / 65535) * frame.radius_max;
   }
@@ -55,5 +68,8 @@ function unpack(frame: NetworkFrame): Scene {
     contacts[PER_CONTACT * k + 6] = value;
   });
   for (let g = 0; g < frame.grains; ++g) if (touches[g] < 2) strongest[g] = -1;
-  return { grains, strongest, contacts, half, reach: Math.hypot(...half) };
+  const arms = frame.clusters ? armsOf(frame, middle) : new Float32Array(0);
+  const round = frame.clusters?.cylinder ?? null;
+  const cylinder = round && { ...round, centre: round.centre.map((c, a) => c - middle[a]) };
+  return { grains, strongest, contacts, arms, unit: lineUnit(frame), half, cylinder, reach: Math.hypot(...half) };
 }

@@ -1,10 +1,12 @@
-// Programs of the graphics card. A sphere or a rod is a flat quadrilateral towards the eye; each of its pixels finds
-// where its ray meets the true surface, so that both are round at any size. Units of a scene; screen axes.
+// Programs of the graphics card. A sphere or a spherocylinder (a force, an edge of the box, an arm of a cluster) is a flat
+// quadrilateral towards the eye; each of its pixels finds where its ray meets the true surface, so that both are round at
+// any size. Units of a scene; screen axes.
 
 const COMMON = `#version 300 es
 precision highp float;
 uniform mat3 turn;
-uniform float eye, scale, front, reach, least;
+uniform float eye, front, reach, least;
+uniform vec2 scale;
 uniform vec3 ramp[7];
 const vec3 GROUND = vec3(1.);
 
@@ -75,6 +77,8 @@ export const ROD_VERTEX = `${COMMON}
 in vec2 corner;
 in vec3 start, end;
 in float strength;
+in float thick;
+uniform float shrink, unit;
 flat out vec3 a, b;
 flat out float force, radius;
 out vec3 at;
@@ -82,19 +86,20 @@ void main() {
   a = turn * start;
   b = turn * end;
   force = strength;
-  radius = strength < 0. ? .0032 * reach : .012 + .034 * min(strength, 5.);
+  radius = thick > 0. ? thick * shrink : strength < 0. ? .0026 * reach : unit * (.012 + .034 * min(strength, 5.));
   vec3 here = corner.y < 0. ? a : b;
   vec3 to_eye = normalize(vec3(0., 0., eye) - here);
   vec3 along = b - a - to_eye * dot(b - a, to_eye);
   along = dot(along, along) > 1e-10 ? normalize(along) : normalize(cross(to_eye, vec3(.3, .8, .5)));
   vec3 side = cross(along, to_eye);
   at = here + 1.15 * radius * (corner.x * side + corner.y * along);
-  bool away = strength >= 0. && (strength < least || .5 * (a.z + b.z) > front);
+  bool away = strength >= 0. && ((thick <= 0. && strength < least) || .5 * (a.z + b.z) > front);
   gl_Position = away ? vec4(2., 2., 2., 1.) : project(at);
 }`;
 
 /** The ray's origin is moved near the rod first: far away, squares of distances would eat the digits. */
 export const ROD_FRAGMENT = `${COMMON}${LIGHT}
+uniform float body, plain;
 flat in vec3 a, b;
 flat in float force, radius;
 in vec3 at;
@@ -119,6 +124,7 @@ void main() {
   vec3 hit = from + t * way;
   vec3 foot = a + axis * clamp(dot(hit - a, axis) / max(aa, 1e-12), 0., 1.);
   depth_of(hit);
-  vec3 colour = force < 0. ? vec3(.52, .56, .62) : heat(force);
-  pixel = vec4(lit(colour, (hit - foot) / radius, hit, force < 0. ? 0. : .6), 1.);
+  vec3 colour = force < -1.5 ? vec3(.74, .77, .81) : force < 0. ? vec3(.52, .56, .62) : heat(force);
+  if (body > .5) colour = plain > .5 ? vec3(.80, .835, .875) : force <= 0. ? vec3(.93, .945, .96) : heat(force);
+  pixel = vec4(lit(colour, (hit - foot) / radius, hit, body > .5 ? 1. : force < 0. ? 0. : .6), 1.);
 }`;

@@ -18,7 +18,10 @@ export interface Look {
   cut: number;
 }
 
-export const START_LOOK: Look = { what: "both", least: 0, cut: 0 };
+/** Clusters show their stress at first. */
+export function startLook(clusters: boolean): Look {
+  return { what: clusters ? "grains" : "both", least: 0, cut: 0 };
+}
 
 /** Distance of the eye from the middle, in units of the scene's reach. */
 export const EYE = 4.5;
@@ -26,8 +29,12 @@ export const EYE = 4.5;
 /** Size of that ball in a picture from −1 to 1: a box does not reach its border in most views. */
 const FIT = 1.06;
 
-export function startView(): View {
-  return { rotation: turned(turned([1, 0, 0, 0, 0, 1, 0, -1, 0], 0.55, 0), 0, 0.3), zoom: 1 };
+/** The axis that points up on the screen at first: y in containers, where gravity acts along it. */
+export type Upright = "y" | "z";
+
+export function startView(upright: Upright): View {
+  const straight: Rotation = upright === "y" ? [1, 0, 0, 0, 1, 0, 0, 0, 1] : [1, 0, 0, 0, 0, 1, 0, -1, 0];
+  return { rotation: turned(turned(straight, 0.55, 0), 0, 0.3), zoom: 1 };
 }
 
 /** Turned about the screen's upright axis, and then about its horizontal one, by angles in radians. */
@@ -50,6 +57,13 @@ function orthonormal(r: Rotation): Rotation {
   const u = unit(y.map((c, k) => c - along * x[k]));
   const z = [x[1] * u[2] - x[2] * u[1], x[2] * u[0] - x[0] * u[2], x[0] * u[1] - x[1] * u[0]];
   return [...x, ...u, ...z] as Rotation;
+}
+
+/** How many times a picture of the scene is higher than it is wide. */
+export function aspectOf(scene: Scene): number {
+  if (!scene.arms.length || scene.bare) return 1;
+  const across = scene.cylinder?.radius ?? Math.hypot(scene.half[0], scene.half[2]);
+  return Math.min(Math.max(scene.half[1] / across, 1), 1.7);
 }
 
 /** The numbers of a perspective that shows all of a scene in a square picture from −1 to 1. */

@@ -1,0 +1,81 @@
+// Blocks about the shape of grains: what they are, and what the final states of containers give.
+#include <cmath>
+
+#include "jamscape/geometry/cluster_shape.hpp"
+#include "jamscape/io/run_file.hpp"
+#include "jamscape/report/blocks.hpp"
+#include "jamscape/report/ensemble.hpp"
+#include "jamscape/report/shape_json.hpp"
+
+namespace jam {
+namespace {
+
+/// Lengths in d, the distances of neighbours in L; null for shapes S3 gives none for.
+Json facts_json(const ClusterShape& shape) {
+  const Distances at = contact_distances(shape);
+  Json out = shape_json(shape);
+  out["name"] = shape.name;
+  out["sphericity"] = rounded(sphericity(shape));
+  out["aspect"] = rounded(aspect_ratio(shape));
+  out["volume"] = rounded(shape.volume);
+  out["surface"] = rounded(shape.surface);
+  out["area"] = rounded(shape.area);
+  out["inertia"] = {rounded(shape.inertia[0]), rounded(shape.inertia[1]), rounded(shape.inertia[2])};
+  out["d1"] = rounded(at.d1);
+  out["d2"] = rounded(at.d2);
+  out["d3"] = rounded(at.d3);
+  out["j1"] = rounded(at.j1);
+  return out;
+}
+
+}  // namespace
+
+Json shape_json(const ClusterShape& shape) {
+  Json arms = Json::array();
+  for (const Arm& arm : shape.arms) {
+    std::vector<double> numbers;
+    for (int k = 0; k < 3; ++k) numbers.push_back(arm.centre[k]);
+    for (int k = 0; k < 3; ++k) numbers.push_back(arm.direction[k]);
+    numbers.insert(numbers.end(), {arm.half_length, arm.radius});
+    arms.push_back(rounded(numbers, 7));
+  }
+  return {{"arms", std::move(arms)},
+          {"circumradius", rounded(shape.circumradius, 7)},
+          {"length", rounded(shape.length, 7)}};
+}
+
+Json final_block(const Results& results) {
+  const auto table = results.table("ensemble/frames.csv");
+  if (!table) return nullptr;
+  Json systems = Json::array();
+  bool any = false;
+  for (const SystemRows& rows : ensemble_rows(results, *table, "")) {
+    systems.push_back(nullptr);
+    if (rows.frames.empty() || has_target(rows.frames.rbegin()->second)) continue;
+    Json quantities = Json::object();
+    for (const auto& [name, estimates] : rows.frames.rbegin()->second.quantities)
+      if (!estimates.mean.empty() && std::isfinite(estimates.mean.front()))
+        quantities[name] = {{"mean", rounded(estimates.mean.front(), 6)}, {"se", rounded(estimates.error.front(), 3)}};
+    systems.back() = {{"realisations", rows.realisations}, {"quantities", std::move(quantities)}};
+    any = true;
+  }
+  return any ? Json{{"systems", std::move(systems)}} : Json();
+}
+
+Json shapes_block(const Results& results, const std::vector<PictureSource>& sources) {
+  Json systems = Json::array();
+  for (std::size_t s = 0; s < results.study.systems.size(); ++s) systems.push_back(nullptr);
+  bool any = false;
+  for (const PictureSource& source : sources) {
+    if (source.all.empty()) continue;
+    const RunFile run(source.folder.run_file());
+    Json shapes = Json::array();
+    for (const ClusterShape& shape : run.shapes()) shapes.push_back(facts_json(shape));
+    if (shapes.empty()) continue;
+    systems[source.task.system] = std::move(shapes);
+    any = true;
+  }
+  return any ? Json{{"systems", std::move(systems)}} : Json();
+}
+
+}  // namespace jam
