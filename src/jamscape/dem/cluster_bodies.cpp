@@ -113,6 +113,7 @@ void rebuild_arms(ClusterState& s, const std::vector<ClusterShape>& shapes) {
     s.first_arm.push_back(static_cast<std::uint32_t>(s.arm_id.size()));
   }
   s.forces.assign(n * R::force_stride, 0.0);
+  s.moved.resize(n), s.skin.resize(n);
   s.arms.assign(s.own_arms.begin(), s.own_arms.end());
   for (const double far : {-1e15, 1e15}) s.arms.insert(s.arms.end(), {far, far, far, 0.0, 1.0, 0.0, 0.0, 0.0});
   refresh(s);
@@ -164,7 +165,8 @@ void reorder(ClusterState& s, const std::vector<std::uint32_t>& order, const std
                   values.begin() + static_cast<std::ptrdiff_t>(k * stride));
   };
   permute(s.rows, R::stride), permute(s.momentum, 4), permute(s.inverse, R::force_stride), permute(s.top, 1);
-  permute(s.id, 1), permute(s.shape, 1), permute(s.scale, 1), permute(s.radius, 1);
+  permute(s.moved, 1), permute(s.skin, 1), permute(s.id, 1), permute(s.shape, 1), permute(s.scale, 1),
+      permute(s.radius, 1);
   rebuild_arms(s, shapes);
 }
 

@@ -45,6 +45,9 @@ struct ClusterState {
   Aligned<double> momentum;  ///< angular momentum in the world's frame and 0, a body
   Aligned<double> inverse;   ///< like force rows: inverse masses, then inverse moments of inertia along the body's axes
   Aligned<double> own_arms;  ///< like arm rows, in the body's frame
+  /// No point of a body has gone farther than `moved` since the list of arm pairs was made; the list must be made anew
+  /// before that exceeds `skin`, for any body.
+  Aligned<double> moved, skin;
   Aligned<std::uint8_t> top;             ///< 1: moments of inertia differ, the body turns as a free top
   std::vector<std::uint32_t> first_arm;  ///< of each body, and the end
   // cold

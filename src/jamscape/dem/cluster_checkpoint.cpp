@@ -59,10 +59,12 @@ void ClusterEngine::save(Archive& out) const {
                                                        static_cast<std::int64_t>(pairs_.size()),
                                                        static_cast<std::int64_t>(ends_.size())};
   out["clusters/scalars"] =
-      std::vector<double>{dt_, skin_, moved_, walls_moved_, damped_, rubbed_, wall_work_, gravity_work_};
+      std::vector<double>{dt_, wall_skin_, walls_moved_, damped_, rubbed_, wall_work_, gravity_work_};
   out["clusters/rows"] = reals(bodies_.rows);
   out["clusters/momentum"] = reals(bodies_.momentum);
   out["clusters/inverse"] = reals(bodies_.inverse);
+  out["clusters/moved"] = reals(bodies_.moved);
+  out["clusters/skin"] = reals(bodies_.skin);
   out["clusters/top"] = integers(bodies_.top);
   out["clusters/id"] = integers(bodies_.id);
   out["clusters/shape"] = integers(bodies_.shape);
@@ -93,10 +95,12 @@ void ClusterEngine::load(const Archive& in) {
     throw data_error("the checkpoint is of another version or another kind of system", {}, remedy);
   const auto size = [&](std::size_t k) { return static_cast<std::size_t>(counters[k]); };
   const std::size_t n = size(6), pairs = size(8), ends = size(9);
-  take(in, "clusters/scalars", scalars, 8);
+  take(in, "clusters/scalars", scalars, 7);
   take(in, "clusters/rows", bodies_.rows, n * ClusterRow::stride);
   take(in, "clusters/momentum", bodies_.momentum, n * 4);
   take(in, "clusters/inverse", bodies_.inverse, n * ClusterRow::force_stride);
+  take(in, "clusters/moved", bodies_.moved, n);
+  take(in, "clusters/skin", bodies_.skin, n);
   take(in, "clusters/top", bodies_.top, n);
   take(in, "clusters/id", bodies_.id, n);
   take(in, "clusters/shape", bodies_.shape, n);
@@ -137,8 +141,8 @@ void ClusterEngine::load(const Archive& in) {
   if (!sound) throw data_error("the checkpoint's lists are inconsistent", {}, remedy);
   contacts_.resize(pairs);
   step_ = counters[2], lists_ = counters[3], stale_ = counters[4] != 0;
-  skin_ = scalars[1], moved_ = scalars[2], walls_moved_ = scalars[3];
-  damped_ = scalars[4], rubbed_ = scalars[5], wall_work_ = scalars[6], gravity_work_ = scalars[7];
+  wall_skin_ = scalars[1], walls_moved_ = scalars[2];
+  damped_ = scalars[3], rubbed_ = scalars[4], wall_work_ = scalars[5], gravity_work_ = scalars[6];
 }
 
 }  // namespace jam

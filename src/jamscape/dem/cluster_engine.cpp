@@ -14,9 +14,14 @@ namespace {
 
 using R = ClusterRow;
 
-/// The skin weighs the cost of making lists against that of listed pairs that do not touch, as in Engine: list_cost is
-/// the cost of a list over that of testing the pairs one more arm diameter of skin would list. Bounds in arm diameters.
-constexpr double list_cost = 40, thinnest_skin = 0.01, widest_skin = 0.3;
+/// A body's skin is what it moves, at its present speed or a little more, until the next list, which is due after
+///   sqrt(list_cost thickness / closing) steps,   closing = how much nearer two bodies of mean speed come in a step:
+/// the costs of making lists and of testing listed pairs that do not touch are then lowest together. list_cost: of a
+/// list, over that of testing the pairs that one more arm diameter of skin would list (from a profile). A few fast
+/// bodies among many at rest get wide skins of their own, and make nobody else's wide. Bounds in arm diameters.
+constexpr double list_cost = 15, thinnest_skin = 0.005, widest_skin = 1.0;
+/// Over the present speed, and over the median speed: bodies at rest are hit, slow ones speed up.
+constexpr double speed_margin = 1.2, median_margin = 2;
 /// Bodies are put back into spatial order at every so-manieth list.
 constexpr std::int64_t lists_per_order = 16;
 
@@ -71,28 +76,44 @@ void ClusterEngine::start_in_step(std::uint32_t first_new) {
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
   std::fill(wall_force_.begin(), wall_force_.end(), Vec3{});
   refresh(bodies_);
+  stale_ = true;  // skins were chosen for no time
+}
+
+void ClusterEngine::choose_skins() {
+  const std::size_t n = bodies_.count();
+  double mean = 0, thickness = 0, fastest_wall = 0;
+  std::vector<double> speed(n), sorted;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double* row = bodies_.row(k);
+    speed[k] = norm(vec3(row + R::velocity)) + norm(vec3(row + R::spin)) * row[R::reach];
+    mean += speed[k] / static_cast<double>(n);
+  }
+  for (std::size_t a = 0; a < bodies_.arm_count(); ++a)
+    thickness += 2 * bodies_.arm(a)[3] / static_cast<double>(bodies_.arm_count());
+  for (const ClusterWall& wall : walls_) fastest_wall = std::max(fastest_wall, std::abs(wall.velocity));
+  sorted = speed;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(n / 2), sorted.end());
+  const double closing = 2 * mean * dt_,
+               until_next = closing > 0 ? std::sqrt(list_cost * thickness / closing) * dt_ : 0;
+  const auto skin = [&](double v) {
+    return std::clamp(until_next * v, thinnest_skin * thickness, widest_skin * thickness);
+  };
+  for (std::size_t k = 0; k < n; ++k) {
+    bodies_.skin[k] = skin(std::max(speed_margin * speed[k], median_margin * sorted[n / 2]));
+    bodies_.moved[k] = 0;
+  }
+  wall_skin_ = skin(speed_margin * fastest_wall);
+  walls_moved_ = 0;
 }
 
 void ClusterEngine::relist() {
   check();
   const std::vector<std::uint32_t> old_arm_id = bodies_.arm_id;
-  double fastest = 0, thickness = 0;
-  for (std::size_t k = 0; k < bodies_.count(); ++k) {
-    const double* row = bodies_.row(k);
-    fastest = std::max(fastest, norm(vec3(row + R::velocity)) + norm(vec3(row + R::spin)) * row[R::reach]);
-  }
-  for (std::size_t a = 0; a < bodies_.arm_count(); ++a) thickness += 2 * bodies_.arm(a)[3];
-  if (bodies_.arm_count()) thickness /= static_cast<double>(bodies_.arm_count());
-  if (lists_++ % lists_per_order == 0) {
-    // arms keep their numbers, so that the springs of the old list are found by them
-    reorder(bodies_, spatial_order(bodies_), shapes_);
-  }
-  skin_ = std::clamp(std::sqrt(list_cost * thickness * 2 * fastest * dt_), thinnest_skin * thickness,
-                     widest_skin * thickness);
-  pairs_ = list_arm_pairs(bodies_, skin_, pairs_, old_arm_id);
-  ends_ = list_wall_ends(bodies_, walls_, skin_, ends_, old_arm_id);
+  if (lists_++ % lists_per_order == 0) reorder(bodies_, spatial_order(bodies_), shapes_);
+  if (bodies_.count() > 0) choose_skins();
+  pairs_ = list_arm_pairs(bodies_, pairs_, old_arm_id);
+  ends_ = list_wall_ends(bodies_, walls_, wall_skin_, ends_, old_arm_id);
   contacts_.resize(pairs_.size());
-  moved_ = walls_moved_ = 0;
   stale_ = false;
 }
 
@@ -183,9 +204,8 @@ void ClusterEngine::advance() {
     fastest_wall = std::max(fastest_wall, std::abs(walls_[w].velocity));
     wall_force_[w] = Vec3{};
   }
-  moved_ += 1.0001 * motion.farthest;
   walls_moved_ += fastest_wall * dt_;
-  stale_ = stale_ || !(2 * moved_ < skin_) || !(moved_ + walls_moved_ < skin_);
+  stale_ = stale_ || motion.outrun || !(walls_moved_ < wall_skin_);
   ++step_;
   if (step_ % 1024 == 0) check();
 }

@@ -97,6 +97,7 @@ class ClusterEngine {
   void place(const ClusterBodies& bodies);
   void start_in_step(std::uint32_t first_new);
   void relist();
+  void choose_skins();
   void forget_parted();
   void touch_walls();
   void pull_down();
@@ -122,7 +123,7 @@ class ClusterEngine {
   WallEnds ends_;
 
   std::int64_t step_ = 0;
-  double skin_ = 0, moved_ = 0, walls_moved_ = 0;  ///< no point has gone farther since the list was made
+  double wall_skin_ = 0, walls_moved_ = 0;  ///< as skin and moved of the bodies, for the walls
   bool stale_ = true;
   std::int64_t lists_ = 0;  ///< made so far; bodies are reordered at some of them
   double damped_ = 0, rubbed_ = 0, wall_work_ = 0, gravity_work_ = 0;

@@ -57,17 +57,19 @@ PressArrays press_arrays(ClusterState& b, ArmPairs& p, const ArmContacts& c, con
 }
 
 MotionArrays motion_arrays(ClusterState& b, double dt) {
-  return {b.rows.data(),
-          b.arms.data(),
-          b.forces.data(),
-          b.momentum.data(),
-          b.inverse.data(),
-          b.own_arms.data(),
-          b.top.data(),
-          b.first_arm.data(),
-          b.count(),
-          dt,
-          0};
+  return {.rows = b.rows.data(),
+          .arms = b.arms.data(),
+          .forces = b.forces.data(),
+          .momentum = b.momentum.data(),
+          .moved = b.moved.data(),
+          .inverse = b.inverse.data(),
+          .own_arms = b.own_arms.data(),
+          .skin = b.skin.data(),
+          .top = b.top.data(),
+          .first_arm = b.first_arm.data(),
+          .count = b.count(),
+          .dt = dt,
+          .outrun = false};
 }
 
 }  // namespace jam

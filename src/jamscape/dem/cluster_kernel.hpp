@@ -79,13 +79,13 @@ struct PressArrays {
 };
 
 struct MotionArrays {
-  double *rows, *arms, *forces, *momentum;
-  const double *inverse, *own_arms;
+  double *rows, *arms, *forces, *momentum, *moved;
+  const double *inverse, *own_arms, *skin;
   const std::uint8_t* top;
   const std::uint32_t* first_arm;
   std::size_t count;
   double dt;
-  double farthest;  ///< out: what no point of any body moved farther than, in this step
+  bool outrun;  ///< out: a body has moved farther than its skin
 };
 
 CollectArrays collect_arrays(const ClusterState& bodies, const ArmPairs& pairs, ArmContacts& out);

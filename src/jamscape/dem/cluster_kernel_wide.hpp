@@ -120,14 +120,12 @@ inline void press(const PressArrays& p) {
 inline void integrate_wide(MotionArrays& b) {
   static constexpr std::uint32_t lane[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   const Lanes dt(b.dt), zero(0.0);
-  Lanes fastest = zero;
-  double fastest_left = 0;
   std::size_t k = 0;
   for (; k + width <= b.count; k += width) {
     std::uint8_t tops = 0;
     for (std::size_t l = 0; l < width; ++l) tops = static_cast<std::uint8_t>(tops | b.top[k + l]);
     if (tops) {
-      for (std::size_t l = 0; l < width; ++l) fastest_left = jam::larger(fastest_left, integrate_body(b, k + l));
+      for (std::size_t l = 0; l < width; ++l) integrate_body(b, k + l);
       continue;
     }
     for (std::size_t l = 0; l < width; ++l) kick_and_drift(b, k + l);
@@ -149,13 +147,12 @@ inline void integrate_wide(MotionArrays& b) {
       hn::Store(turns.row[l], Tag4(), rows + l * R::stride + R::orientation);
       place_arms(b, k + l, {axes[0].row[l].raw, axes[1].row[l].raw, axes[2].row[l].raw});
     }
-    fastest = larger(fastest, fastest_point(vector_of(load_rows(rows + R::velocity, lane, R::stride)), spin2, reach));
+    const Lanes moved = Lanes::load(b.moved + k) +
+                        fastest_point(vector_of(load_rows(rows + R::velocity, lane, R::stride)), spin2, reach) * dt;
+    moved.store(b.moved + k);
+    b.outrun = b.outrun || lane_bits(moved < Lanes::load(b.skin + k)) != (1u << width) - 1;
   }
-  for (; k < b.count; ++k) fastest_left = jam::larger(fastest_left, integrate_body(b, k));
-  alignas(64) double speeds[width];
-  fastest.store(speeds);
-  for (const double speed : speeds) fastest_left = jam::larger(fastest_left, speed);
-  b.farthest = fastest_left * b.dt;
+  for (; k < b.count; ++k) integrate_body(b, k);
 }
 
 }  // namespace jam::HWY_NAMESPACE::clusters

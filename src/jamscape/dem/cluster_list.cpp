@@ -51,9 +51,8 @@ struct BodyGrid {
   }
 };
 
-/// The bodies after `a` in memory whose circumscribed spheres come nearer to that of `a` than `skin`.
-void find_partners(const ClusterState& s, const BodyGrid& grid, std::uint32_t a, double skin,
-                   std::vector<std::uint32_t>& found) {
+/// The bodies after `a` in memory whose circumscribed spheres come nearer to that of `a` than their skins.
+void find_partners(const ClusterState& s, const BodyGrid& grid, std::uint32_t a, std::vector<std::uint32_t>& found) {
   found.clear();
   const Vec3 x = vec3(s.row(a));
   const auto at = grid.coordinates(s.row(a));
@@ -67,7 +66,7 @@ void find_partners(const ClusterState& s, const BodyGrid& grid, std::uint32_t a,
         const std::uint32_t b = grid.body[q];
         if (b <= a) continue;
         const Vec3 d = vec3(s.row(b)) - x;
-        const double reach = s.radius[a] + s.radius[b] + skin;
+        const double reach = s.radius[a] + s.radius[b] + s.skin[a] + s.skin[b];
         if (dot(d, d) < reach * reach) found.push_back(b);
       }
     }
@@ -84,7 +83,8 @@ bool near_body(const double* arm, const Vec3& centre, double radius, double skin
 }
 
 /// Appends the near pairs of arms of i and j.
-void append_arms(ArmPairs& list, const ClusterState& s, std::uint32_t i, std::uint32_t j, double skin) {
+void append_arms(ArmPairs& list, const ClusterState& s, std::uint32_t i, std::uint32_t j) {
+  const double skin = s.skin[i] + s.skin[j];
   const double mi = s.row(i)[ClusterRow::mass], mj = s.row(j)[ClusterRow::mass];
   const Vec3 xi = vec3(s.row(i)), xj = vec3(s.row(j));
   for (std::uint32_t a = s.first_arm[i]; a < s.first_arm[i + 1]; ++a) {
@@ -120,18 +120,16 @@ const Vec3* KeptSprings::find(std::uint32_t first, std::uint32_t second) const {
   return nullptr;
 }
 
-ArmPairs list_arm_pairs(const ClusterState& s, double skin, const ArmPairs& old,
-                        const std::vector<std::uint32_t>& old_arm_id) {
+ArmPairs list_arm_pairs(const ClusterState& s, const ArmPairs& old, const std::vector<std::uint32_t>& old_arm_id) {
   ArmPairs list;
   if (s.count() == 0) return list;
   double widest = 0;
-  for (const double r : s.radius) widest = std::max(widest, r);
-  const BodyGrid grid(s, 2 * widest + skin);
+  for (std::size_t k = 0; k < s.count(); ++k) widest = std::max(widest, s.radius[k] + s.skin[k]);
+  const BodyGrid grid(s, 2 * widest);
   std::vector<std::uint32_t> partners;
   for (std::uint32_t a = 0; a < s.count(); ++a) {
-    find_partners(s, grid, a, skin, partners);
-    for (const std::uint32_t b : partners)
-      s.id[a] < s.id[b] ? append_arms(list, s, a, b, skin) : append_arms(list, s, b, a, skin);
+    find_partners(s, grid, a, partners);
+    for (const std::uint32_t b : partners) s.id[a] < s.id[b] ? append_arms(list, s, a, b) : append_arms(list, s, b, a);
   }
   list.count = list.i.size();
   const auto far = static_cast<std::uint32_t>(s.arm_count());

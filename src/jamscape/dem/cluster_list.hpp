@@ -43,9 +43,8 @@ class KeptSprings {
   std::vector<std::uint32_t> start_;
 };
 
-/// All pairs of arms of different bodies closer than the sum of radii + skin. Springs are taken over from `old`, made
-/// of the same bodies, which may have been reordered since: `old_arm_id` is arm_id of that time.
-ArmPairs list_arm_pairs(const ClusterState& bodies, double skin, const ArmPairs& old,
-                        const std::vector<std::uint32_t>& old_arm_id);
+/// All pairs of arms of different bodies closer than the sum of radii and the bodies' skins. Springs are taken over
+/// from `old`, made of the same bodies, which may have been reordered since: `old_arm_id` is arm_id of that time.
+ArmPairs list_arm_pairs(const ClusterState& bodies, const ArmPairs& old, const std::vector<std::uint32_t>& old_arm_id);
 
 }  // namespace jam

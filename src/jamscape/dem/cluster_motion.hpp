@@ -144,8 +144,7 @@ JAM_INLINE void kick_and_drift(MotionArrays& b, std::size_t k) {
   four(force) = four(force + 4) = Four{0, 0, 0, 0};
 }
 
-/// One body; returns the speed of its fastest point.
-inline double integrate_body(MotionArrays& b, std::size_t k) {
+inline void integrate_body(MotionArrays& b, std::size_t k) {
   using R = ClusterRow;
   kick_and_drift(b, k);
   double *row = b.rows + k * R::stride, *momentum = b.momentum + 4 * k;
@@ -170,13 +169,12 @@ inline double integrate_body(MotionArrays& b, std::size_t k) {
   four(row + R::orientation) = Four{q.w, q.x, q.y, q.z};
   place_arms(b, k, rows_of(f));
   const double* v = row + R::velocity;
-  return fastest_point(Vec3{v[0], v[1], v[2]}, spin2, row[R::reach]);
+  b.moved[k] += fastest_point(Vec3{v[0], v[1], v[2]}, spin2, row[R::reach]) * b.dt;
+  b.outrun = b.outrun || !(b.moved[k] < b.skin[k]);
 }
 
 inline void integrate(MotionArrays& b) {
-  double fastest = 0;
-  for (std::size_t k = 0; k < b.count; ++k) fastest = larger(fastest, integrate_body(b, k));
-  b.farthest = fastest * b.dt;
+  for (std::size_t k = 0; k < b.count; ++k) integrate_body(b, k);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ double nearest(const ClusterWall& wall, const double* row, double radius) {
 
 }  // namespace
 
-WallEnds list_wall_ends(const ClusterState& s, const std::vector<ClusterWall>& walls, double skin, const WallEnds& old,
-                        const std::vector<std::uint32_t>& old_arm_id) {
+WallEnds list_wall_ends(const ClusterState& s, const std::vector<ClusterWall>& walls, double wall_skin,
+                        const WallEnds& old, const std::vector<std::uint32_t>& old_arm_id) {
   KeptSprings kept(s.arm_count());
   const auto second = [](std::uint32_t wall, std::uint8_t end) { return 2 * wall + end; };
   for (std::size_t q = 0; q < old.size(); ++q)
@@ -25,6 +25,7 @@ WallEnds list_wall_ends(const ClusterState& s, const std::vector<ClusterWall>& w
   WallEnds list;
   for (std::uint32_t w = 0; w < walls.size(); ++w)
     for (std::size_t k = 0; k < s.count(); ++k) {
+      const double skin = wall_skin + s.skin[k];
       if (nearest(walls[w], s.row(k), s.radius[k]) <= -skin) continue;
       for (std::uint32_t a = s.first_arm[k]; a < s.first_arm[k + 1]; ++a)
         for (std::uint8_t end = 0; end < (s.arm(a)[7] > 0 ? 2 : 1); ++end) {

@@ -58,8 +58,8 @@ inline WallTouch touch_wall(const ClusterWall& wall, const double* arm, int end)
   return t;
 }
 
-/// All ends nearer to a wall than `skin`, springs taken over as in list_arm_pairs().
-WallEnds list_wall_ends(const ClusterState& bodies, const std::vector<ClusterWall>& walls, double skin,
+/// All ends nearer to a wall than `wall_skin` and the body's skin, springs taken over as in list_arm_pairs().
+WallEnds list_wall_ends(const ClusterState& bodies, const std::vector<ClusterWall>& walls, double wall_skin,
                         const WallEnds& old, const std::vector<std::uint32_t>& old_arm_id);
 
 }  // namespace jam
