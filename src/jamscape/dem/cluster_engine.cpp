@@ -20,8 +20,9 @@ using R = ClusterRow;
 /// list, over that of testing the pairs that one more arm diameter of skin would list (from a profile). A few fast
 /// bodies among many at rest get wide skins of their own, and make nobody else's wide. Bounds in arm diameters.
 constexpr double list_cost = 15, thinnest_skin = 0.005, widest_skin = 1.0;
-/// Over the present speed, and over the median speed: bodies at rest are hit, slow ones speed up.
-constexpr double speed_margin = 1.2, median_margin = 2;
+/// Over the present speed, and over the speed that a fifth of the bodies do not reach: bodies at rest are hit, slow
+/// ones speed up.
+constexpr double speed_margin = 1.2, slow_margin = 3;
 /// Bodies are put back into spatial order at every so-manieth list.
 constexpr std::int64_t lists_per_order = 16;
 
@@ -82,7 +83,7 @@ void ClusterEngine::start_in_step(std::uint32_t first_new) {
 void ClusterEngine::choose_skins() {
   const std::size_t n = bodies_.count();
   double mean = 0, thickness = 0, fastest_wall = 0;
-  std::vector<double> speed(n), sorted;
+  std::vector<double> speed(n);
   for (std::size_t k = 0; k < n; ++k) {
     const double* row = bodies_.row(k);
     speed[k] = norm(vec3(row + R::velocity)) + norm(vec3(row + R::spin)) * row[R::reach];
@@ -91,15 +92,16 @@ void ClusterEngine::choose_skins() {
   for (std::size_t a = 0; a < bodies_.arm_count(); ++a)
     thickness += 2 * bodies_.arm(a)[3] / static_cast<double>(bodies_.arm_count());
   for (const ClusterWall& wall : walls_) fastest_wall = std::max(fastest_wall, std::abs(wall.velocity));
-  sorted = speed;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(n / 2), sorted.end());
+  std::vector<double> sorted = speed;
+  const auto slow = sorted.begin() + static_cast<std::ptrdiff_t>(n / 5);
+  std::nth_element(sorted.begin(), slow, sorted.end());
   const double closing = 2 * mean * dt_,
                until_next = closing > 0 ? std::sqrt(list_cost * thickness / closing) * dt_ : 0;
   const auto skin = [&](double v) {
     return std::clamp(until_next * v, thinnest_skin * thickness, widest_skin * thickness);
   };
   for (std::size_t k = 0; k < n; ++k) {
-    bodies_.skin[k] = skin(std::max(speed_margin * speed[k], median_margin * sorted[n / 2]));
+    bodies_.skin[k] = skin(std::max(speed_margin * speed[k], slow_margin * *slow));
     bodies_.moved[k] = 0;
   }
   wall_skin_ = skin(speed_margin * fastest_wall);
