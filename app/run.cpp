@@ -31,16 +31,16 @@ struct RunArguments {
 };
 
 /// What a simple estimate takes for granted until the run itself measures: grain-steps a second of one core.
-constexpr double assumed_rate = 5e7;
+double assumed_rate(const SystemOptions& system) { return is_container(system.domain.walls) ? 4e6 : 5e7; }
 
 ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunArguments& a, int jobs) {
   const std::vector<std::size_t> order = order_tasks(tasks, read_shard(a.shard));
-  double cost = 0;
+  double cost = 0, core_seconds = 0;
   nlohmann::json list = nlohmann::json::array();
   for (const std::size_t k : order) {
     const Task& t = tasks[k];
     const std::string& system = study.systems[t.system].name;
-    cost += t.cost();
+    cost += t.cost(), core_seconds += t.cost() / assumed_rate(study.systems[t.system].options);
     if (a.json)
       list.push_back({{"task", t.hash},
                       {"system", system},
@@ -52,7 +52,7 @@ ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunAr
       fmt::print("{}  {:24}  realisation {:3}  {:6} grains  {:10} steps  {:4} frames\n", t.hash, system, t.realisation,
                  t.plan.bodies, t.plan.steps, t.plan.frames.size());
   }
-  const double seconds = cost / assumed_rate / std::max(1, std::min(jobs, static_cast<int>(order.size())));
+  const double seconds = core_seconds / std::max(1, std::min(jobs, static_cast<int>(order.size())));
   if (a.json)
     fmt::print("{}\n", nlohmann::json{{"tasks", list}, {"grain_steps", cost}, {"seconds_estimated", seconds}}.dump());
   else

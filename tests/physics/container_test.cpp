@@ -35,7 +35,7 @@ SystemOptions crosses() {
   s.start.packing_fraction = 0.25;
   StageOptions settle, press, relax;
   settle.name = "settle", settle.kind = StageKind::settle, settle.settle_until = SettleUntil::rest;
-  settle.relax.window = 1000, settle.relax.energy = 1e-2;
+  settle.relax.window = 1000, settle.relax.energy = 1e-4;
   press.name = "press", press.kind = StageKind::press, press.speed = 0.05, press.force = 40;
   relax.name = "relax", relax.kind = StageKind::relax;
   relax.relax = {1000, 0, 1e-4, 100};
