@@ -88,6 +88,59 @@ TEST(ClusterEngine, every_kernel_gives_the_same_bits) {
     }
 }
 
+/// Touching pairs of arms, by looking at all.
+std::size_t brute_force_contacts(const Packing& p) {
+  std::vector<std::pair<std::size_t, Arm>> arms;
+  for (std::size_t k = 0; k < p.grains.size(); ++k)
+    for (const Arm& own : p.shapes[static_cast<std::size_t>(p.grains.shape[k])].arms) {
+      const double s = p.grains.scale[k];
+      const Quaternion& q = p.grains.orientation[k];
+      arms.push_back({k,
+                      {p.grains.position[k] + rotate(q, s * own.centre), rotate(q, own.direction), s * own.half_length,
+                       s * own.radius}});
+    }
+  std::size_t count = 0;
+  for (std::size_t a = 0; a < arms.size(); ++a)
+    for (std::size_t b = a + 1; b < arms.size(); ++b)
+      count += arms[a].first != arms[b].first &&
+               axis_distance(arms[a].second, arms[b].second) < arms[a].second.radius + arms[b].second.radius;
+  return count;
+}
+
+// Skins are chosen body by body; fast bodies among slow ones, and walls that move, are where a list could be too short.
+TEST(ClusterEngine, the_list_misses_no_contact) {
+  for (const bool planar : {false, true}) {
+    ClusterSetup s =
+        crowd(planar ? std::vector{cross_shape(4), sphere_shape()} : std::vector{star_shape(4), rod_shape(3)},
+              planar ? 6 : 4, planar, DuplicateRule::literal);
+    for (std::size_t k = 0; k < s.bodies.size(); k += 7) s.bodies.velocity[k][0] = 0.5;
+    s.walls[3].velocity = -0.005;
+    ClusterEngine engine(s);
+    std::size_t seen = 0;
+    for (int k = 0; k < 300; ++k) {
+      engine.run(11);
+      engine.compute_forces();
+      const Packing p = engine.record();
+      std::size_t pairs = 0, ends = 0, touching_ends = 0;
+      for (const std::int32_t j : p.contacts.j) ++(j < 0 ? ends : pairs);
+      EXPECT_EQ(pairs, brute_force_contacts(p));
+      for (std::size_t g = 0; g < p.grains.size(); ++g)
+        for (const Arm& own : p.shapes[static_cast<std::size_t>(p.grains.shape[g])].arms)
+          for (int end = own.half_length > 0 ? -1 : 1; end <= 1; end += 2) {
+            const Vec3 tip = p.grains.position[g] +
+                             rotate(p.grains.orientation[g],
+                                    p.grains.scale[g] * (own.centre + (end * own.half_length) * own.direction));
+            for (const Wall& wall : p.walls)
+              touching_ends += dot(tip - wall.position, wall.normal) < p.grains.scale[g] * own.radius;
+          }
+      EXPECT_EQ(ends, touching_ends);
+      seen += pairs;
+      engine.advance();
+    }
+    EXPECT_GT(seen, 1000u);
+  }
+}
+
 /// Drift of the ledger over a time, as a part of the energy turned over.
 double ledger_drift(DuplicateRule duplicates, double dt) {
   ClusterSetup s = crowd({star_shape(3)}, 4, false, duplicates);
