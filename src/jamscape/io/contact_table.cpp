@@ -10,6 +10,7 @@
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/io/number_text.hpp"
+#include "jamscape/io/shape_list.hpp"
 #include "jamscape/io/vector_columns.hpp"
 
 namespace jam {
@@ -84,6 +85,9 @@ class Reader {
   }
 
   void read() {
+    if (!packing_.shapes.empty() && !(overlap_ && normal_ && point_))
+      throw data_error("overlap, normal or point of the contacts is not given, and clusters need them", csv_.file(),
+                       "add the columns overlap, nx, ny, nz and x, y, z");
     read_walls();
     check_box();
     std::vector<Contact> contacts;
@@ -93,6 +97,7 @@ class Reader {
     });
     for (const Contact& c : merged(contacts)) store(c);
     finish_walls();
+    if (const std::string problem = cluster_problem(packing_); !problem.empty()) throw data_error(problem, csv_.file());
     add_notes();
   }
 
@@ -118,11 +123,16 @@ class Reader {
   void read_walls() {
     for (const auto& [key, text] : csv_.metadata()) {
       if (key != "wall") continue;
-      const auto v = parse_numbers(text, 9);
+      const auto round = parse_numbers(text, 10), v = round ? round : parse_numbers(text, 9);
       if (!v)
         throw data_error(fmt::format("the line '# wall: {}' should hold nine numbers", text), csv_.file(),
-                         "a point of the plane, its normal into the domain, its velocity");
+                         "a point of the plane, its normal into the domain, its velocity; a cylinder has its axis in "
+                         "place of the normal, and its radius last");
       Wall wall;
+      if (round) {
+        wall.kind = WallKind::cylinder;
+        wall.radius = (*round)[9];
+      }
       wall.position = {(*v)[0], (*v)[1], (*v)[2]};
       wall.normal = {(*v)[3], (*v)[4], (*v)[5]};
       wall.velocity = {(*v)[6], (*v)[7], (*v)[8]};
@@ -366,9 +376,11 @@ Table contact_table(const Packing& packing) {
 
 CsvMetadata contact_metadata(const Packing& packing) {
   CsvMetadata metadata;
-  for (const Wall& wall : packing.walls)
-    metadata.emplace_back(
-        "wall", fmt::format("{} {} {}", to_text(wall.position), to_text(wall.normal), to_text(wall.velocity)));
+  for (const Wall& wall : packing.walls) {
+    std::string text = fmt::format("{} {} {}", to_text(wall.position), to_text(wall.normal), to_text(wall.velocity));
+    if (wall.kind == WallKind::cylinder) text += ' ' + to_text(wall.radius);
+    metadata.emplace_back("wall", text);
+  }
   return metadata;
 }
 

@@ -6,7 +6,9 @@
 // id2 that touches), part1, part2, sliding. id2 = -1 - w is wall w. Capitals do not matter; usual other names are
 // known; columns not named here are left alone. Leading `# key: value` lines may give dimension, step, time, stage,
 // packing_fraction, packing_fraction_plain, lo, hi, periodic, energy_... (particles) and wall (contacts: three numbers
-// each for a point of a plane, its normal into the domain, its velocity). What is missing is worked out from the rest
+// each for a point of a plane, its normal into the domain, its velocity; a cylinder has its axis as normal, and its
+// radius as a tenth number). Clusters have lines `# shape: ...` and columns shape, scale, qw, qx, qy, qz
+// (cluster_columns.hpp), and their contacts need overlap, normal and point. What is missing is worked out from the rest
 // where that can be done, and said in the notes.
 #pragma once
 

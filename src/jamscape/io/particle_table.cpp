@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/io/cluster_columns.hpp"
 #include "jamscape/io/number_text.hpp"
 #include "jamscape/io/run_layout.hpp"
 #include "jamscape/io/vector_columns.hpp"
@@ -141,14 +142,15 @@ std::vector<T> ordered(const std::vector<T>& values, const std::vector<std::size
   return out;
 }
 
-Grains read_grains(const CsvFile& csv, int dimension, std::vector<std::string>& notes) {
+void read_grains(const CsvFile& csv, Packing& packing, std::vector<std::string>& notes) {
+  const int dimension = packing.dimension;
   const std::size_t column = need_column(csv, {"id", "particle", "particle_id", "grain"}, "the name of a grain");
   need_column(csv, position_names[0], "where a grain is");
   const auto id = csv.integers(column);
   const auto order = order_by_id(csv, column, id);
   const auto radius = read_radius(csv);
   const auto velocity = read_vectors(csv, velocity_names, dimension);
-  Grains g;
+  Grains& g = packing.grains;
   g.id = ordered(id, order);
   g.species = ordered(read_species(csv), order);
   g.radius = ordered(radius, order);
@@ -157,7 +159,7 @@ Grains read_grains(const CsvFile& csv, int dimension, std::vector<std::string>& 
   g.velocity = velocity ? ordered(*velocity, order) : std::vector<Vec3>(id.size(), Vec3{});
   g.spin = ordered(read_rotation(csv, {"spin", "omega"}, spin_names, dimension), order);
   g.angle = ordered(read_rotation(csv, {"angle"}, angle_names, dimension), order);
-  return g;
+  read_clusters(csv, order, packing);
 }
 
 Domain read_domain(const CsvFile& csv, const Metadata& metadata, const Packing& packing,
@@ -200,7 +202,7 @@ Packing read_particles(const CsvFile& csv, std::vector<std::string>& notes) {
   const Metadata metadata(csv);
   Packing packing;
   packing.dimension = dimension_of(csv, metadata);
-  packing.grains = read_grains(csv, packing.dimension, notes);
+  read_grains(csv, packing, notes);
   packing.domain = read_domain(csv, metadata, packing, notes);
   if (const std::string* stage = metadata.text("stage")) packing.stage = *stage;
   if (const std::string* step = metadata.text("step")) {
@@ -228,6 +230,7 @@ Table particle_table(const Packing& packing) {
   if (dimension == 3) {
     add_vectors(table, {"spin_x", "spin_y", "spin_z"}, g.spin, 3);
     add_vectors(table, {"angle_x", "angle_y", "angle_z"}, g.angle, 3);
+    add_cluster_columns(table, packing);
     return table;
   }
   std::vector<double> spin, angle;
@@ -237,6 +240,7 @@ Table particle_table(const Packing& packing) {
   }
   table.add("spin", spin);
   table.add("angle", angle);
+  add_cluster_columns(table, packing);
   return table;
 }
 
@@ -252,6 +256,8 @@ CsvMetadata particle_metadata(const Packing& p) {
                        {"hi", to_text(p.domain.hi)},
                        {"periodic", fmt::format("{:d} {:d} {:d}", periodic[0], periodic[1], periodic[2])}};
   for (const auto& [name, member] : run_layout::energies) metadata.emplace_back(name, to_text(p.energy.*member));
+  const CsvMetadata shapes = shape_lines(p);
+  metadata.insert(metadata.end(), shapes.begin(), shapes.end());
   return metadata;
 }
 

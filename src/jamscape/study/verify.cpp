@@ -29,7 +29,8 @@ bool same_walls(const std::vector<Wall>& a, const std::vector<Wall>& b) {
   for (std::size_t w = 0; w < a.size(); ++w)
     if (a[w].kind != b[w].kind || !same_bits(a[w].position, b[w].position) || !same_bits(a[w].normal, b[w].normal) ||
         !same_bits(a[w].velocity, b[w].velocity) || !same_bits(a[w].force, b[w].force) ||
-        !same_bits(a[w].bead_radius, b[w].bead_radius) || !same_bits(a[w].beads, b[w].beads))
+        !same_bits(a[w].bead_radius, b[w].bead_radius) || !same_bits(a[w].beads, b[w].beads) ||
+        !same_bits(a[w].radius, b[w].radius))
       return false;
   return true;
 }
@@ -65,6 +66,8 @@ std::string first_difference(const Packing& a, const Packing& b) {
       {same_bits(g.position, h.position), "grains.position"},
       {same_bits(g.velocity, h.velocity), "grains.velocity"},
       {same_bits(g.spin, h.spin) && same_bits(g.angle, h.angle), "grains.spin"},
+      {a.shapes == b.shapes && same_bits(g.shape, h.shape) && same_bits(g.scale, h.scale), "grains.shape"},
+      {same_bits(g.orientation, h.orientation), "grains.orientation"},
       {same_bits(c.i, d.i) && same_bits(c.j, d.j), "contacts.pairs"},
       {same_bits(c.overlap, d.overlap) && same_bits(c.normal, d.normal), "contacts.overlap"},
       {same_bits(c.normal_force, d.normal_force), "contacts.normal_force"},

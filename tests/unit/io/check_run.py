@@ -59,11 +59,28 @@ def main(run, *tables):
             assert len(contacts[name]) == offset[-1], name
         assert len(f["walls/offset"]) == frames + 1
 
+        if "shapes" in f:
+            shapes, arms = f["shapes"], len(f["shapes/arm_radius"])
+            assert list(shapes["name"][:]) == [b"Form 0", b"Form 1"]
+            assert shapes["arm_offset"][0] == 0 and shapes["arm_offset"][-1] == arms == 3
+            assert shapes["arm_direction"].shape == shapes["arm_centre"].shape == (arms, 3)
+            assert np.allclose(np.linalg.norm(shapes["arm_direction"][:], axis=1), 1)
+            assert shapes["inertia"].shape == (2, 3)
+            turned = everyone["orientation"]
+            assert turned["step"] == f["frames/step"] and turned["value"].shape[0] == frames
+            assert np.allclose(np.linalg.norm(turned["value"][:], axis=2), 1)
+            assert everyone["shape/value"].dtype == "<i4" and set(everyone["shape/value"][:].flat) == {0, 1}
+            last = int(f["walls/offset"][1]) - 1
+            assert f["walls/kind"][last] == 2 and f["walls/cylinder_radius"][last] > 0
+
         for k in range(frames):
             p, c = table(tables[2 * k]), table(tables[2 * k + 1])
             n = int(everyone["count/value"][k])
             assert n == len(p["id"])
             same("radius", everyone["radius"][:], p["radius"])
+            for name, part in zip(("qw", "qx", "qy", "qz"), range(4)):
+                if name in p:
+                    same(name, everyone["orientation/value"][k, :n, part], p[name])
             for d, axis in enumerate("xyz"[:dimension]):
                 same(axis, everyone["position/value"][k, :n, d], p[axis])
                 same("v" + axis, everyone["velocity/value"][k, :n, d], p["v" + axis])

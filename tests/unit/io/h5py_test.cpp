@@ -28,9 +28,14 @@ TEST(RunFile, OpensInH5pyWithTheLayoutWeDescribe) {
     std::string arguments = (folder / "run.h5").string();
     Packing first;
     for (unsigned k = 0; k < 3; ++k) {
-      Packing p = random_packing({.dimension = dimension, .grains = 600, .contacts = 900 + k, .seed = 30 + k});
+      Packing p = random_packing({.dimension = dimension,
+                                  .grains = 600,
+                                  .contacts = 900 + k,
+                                  .seed = 30 + k,
+                                  .shapes = dimension == 3 ? 2u : 0u});
       for (std::size_t n = 0; n < p.grains.size(); ++n) p.grains.id[n] = static_cast<std::int64_t>(3 * n + 1);
       if (k == 0) first = p;
+      p.shapes = first.shapes;
       p.grains.radius = first.grains.radius;
       p.grains.mass = first.grains.mass;
       p.grains.species = first.grains.species;

@@ -92,6 +92,42 @@ TEST_F(PackingCsv, KeepsEveryBit) {
   }
 }
 
+/// A packing of clusters whose numbers a table can hold.
+Packing sane_clusters(int dimension) {
+  Packing p = sane_packing(dimension, 5);
+  std::mt19937_64 generator(9);
+  make_clusters(p, 3, generator);
+  return p;
+}
+
+TEST_F(PackingCsv, KeepsClusters) {
+  for (int dimension : {2, 3}) {
+    const Packing p = sane_clusters(dimension);
+    write_packing_csv(p, folder_ / "p.csv", folder_ / "c.csv");
+    const ImportedPacking imported = read_packing_csv(folder_ / "p.csv", folder_ / "c.csv");
+    expect_same(imported.packing, p);
+    EXPECT_TRUE(imported.notes.empty());
+  }
+}
+
+TEST_F(PackingCsv, ClustersThatDoNotFit) {
+  write_packing_csv(sane_clusters(2), folder_ / "p.csv", folder_ / "c.csv");
+  const std::string particles = bytes_of(folder_ / "p.csv"), contacts = bytes_of(folder_ / "c.csv");
+  const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  };
+  const auto says = [&](const std::string& p, const std::string& c, const char* message) {
+    const std::string error = error_of([&] { read(p, c); });
+    EXPECT_NE(error.find(message), std::string::npos) << error;
+  };
+  says(replaced(particles, "# shape: ", "# shape: 1 "), contacts, "eight for each arm");
+  says(replaced(particles, ",qz", ",qzz"), contacts, "the orientation of a grain");
+  says(replaced(particles, "# shape: ", "# form: "), contacts, "is of shape 2, but there are 2 shapes");
+  says(particles, replaced(contacts, ",overlap", ",depth"), "clusters need them");
+}
+
 TEST_F(PackingCsv, RowsMayStandInAnyOrderAndEndInReturns) {
   const Packing p = sane_packing(2, 4);
   write_packing_csv(p, folder_ / "p.csv", folder_ / "c.csv");
