@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -42,9 +43,28 @@ void print_relaxed(const Study& study, const std::vector<std::vector<Transition>
   }
 }
 
+void print_pressed(const Study& study, const std::vector<std::vector<Transition>>& transitions, std::size_t width) {
+  fmt::print("{:{}}  runs  contacts  k of P(f)          peak of P(f)  1st peak of G(r)/L  2nd peak\n", "system", width);
+  for (std::size_t s = 0; s < study.systems.size(); ++s) {
+    const auto text = [&](const char* name) {
+      const Transition* t = find(transitions[s], name);
+      return t && std::isfinite(t->value) ? with_error(*t) : std::string("-");
+    };
+    const Transition *k = find(transitions[s], "tail_k_pooled"), *a = find(transitions[s], "type_a_pooled"),
+                     *contacts = find(transitions[s], "force_contacts_pooled");
+    fmt::print("{:{}}  {:4}  {:8}  {:17}  {:12}  {:18}  {}\n", study.systems[s].name, width, k ? k->n : 0,
+               contacts ? contacts->value : 0, text("tail_k_pooled"),
+               !a ? "-" : a->value > 0 ? "yes (type A)" : "no (type B)", text("rdf_peak1_pooled"),
+               text("rdf_peak2_pooled"));
+  }
+}
+
 void print_summary(const Study& study, const std::vector<std::vector<Transition>>& transitions) {
   std::size_t width = 6;
   for (const System& s : study.systems) width = std::max(width, s.name.size());
+  if (std::all_of(study.systems.begin(), study.systems.end(),
+                  [](const System& s) { return is_container(s.options.domain.walls); }))
+    return print_pressed(study, transitions, width);
   if (relaxes(study)) return print_relaxed(study, transitions, width);
   fmt::print("{:{}}  runs  rho_c (mean Z = 3)   rho_c, Z of grains with 2 contacts   inflection of Z\n", "system",
              width);

@@ -72,7 +72,7 @@ void add_forces(const Histograms& h, std::vector<Transition>& found) {
   add("mueth_beta_pooled", none, [](const ForceTail& t) { return t.mueth.beta; });
   const std::vector<double> norm = sum_of_curves(h.under, all);
   const double width = h.centre.size() > 1 ? h.centre[1] - h.centre[0] : none;
-  found.push_back({"force_contacts_pooled", n, norm.empty() ? none : norm.front() / width, none});
+  found.push_back({"force_contacts_pooled", n, norm.empty() ? none : std::round(norm.front() / width), none});
 }
 
 void add_peaks(const Histograms& h, const FrameSeries& series, std::size_t frame, Random random,
