@@ -1,8 +1,10 @@
 #include "jamscape/geometry/arm_union.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "jamscape/geometry/exposed.hpp"
 
@@ -97,38 +99,50 @@ Sums slice(const Arm& arm, const std::vector<Arm>& covers, const Vec3& n) {
   return sums;
 }
 
+/// All of one arm's boundary that is exposed: panels of the angle, halved until the sums stand still.
+class Around {
+ public:
+  Around(const Arm& arm, std::vector<Arm> covers)
+      : arm_(arm), covers_(std::move(covers)), across_(complete(arm.direction)) {}
+
+  Sums whole() const {
+    constexpr int panels = 8;
+    Sums sums{};
+    for (int k = 0; k < panels; ++k) {
+      const double lo = 2 * pi * k / panels, hi = 2 * pi * (k + 1) / panels;
+      sums = sums + halves(lo, hi, panel(lo, hi), 24);
+    }
+    return sums;
+  }
+
+ private:
+  Sums panel(double lo, double hi) const {
+    Sums sums{};
+    eight_points(lo, hi, [&](double angle, double w) {
+      Sums part = slice(arm_, covers_, std::cos(angle) * across_[0] + std::sin(angle) * across_[1]);
+      for (double& v : part) v *= w;
+      sums = sums + part;
+    });
+    return sums;
+  }
+  Sums halves(double lo, double hi, const Sums& before, int depth) const {
+    constexpr double tolerance = 1e-10;  // of a panel; a few dozen matter
+    const double mid = (lo + hi) / 2;
+    const Sums left = panel(lo, mid), right = panel(mid, hi);
+    if (depth == 0 || distance(left + right, before) <= tolerance * arm_.radius * arm_.radius) return left + right;
+    return halves(lo, mid, left, depth - 1) + halves(mid, hi, right, depth - 1);
+  }
+
+  const Arm& arm_;
+  std::vector<Arm> covers_;
+  std::array<Vec3, 2> across_;
+};
+
 }  // namespace
 
 UnionIntegrals integrate_union(const std::vector<Arm>& arms) {
   Sums total{};
-  for (std::size_t own = 0; own < arms.size(); ++own) {
-    const Arm& arm = arms[own];
-    const std::vector<Arm> covers = covers_of(arms, own);
-    const auto [a, b] = complete(arm.direction);
-    const auto panel = [&](double lo, double hi) {
-      Sums sums{};
-      eight_points(lo, hi, [&](double angle, double w) {
-        Sums part = slice(arm, covers, std::cos(angle) * a + std::sin(angle) * b);
-        for (double& v : part) v *= w;
-        sums = sums + part;
-      });
-      return sums;
-    };
-    const auto halve = [&](auto&& self, double lo, double hi, const Sums& whole, int depth) -> Sums {
-      const double mid = (lo + hi) / 2;
-      const Sums left = panel(lo, mid), right = panel(mid, hi);
-      constexpr double tolerance = 1e-10;  // of one panel; some ten panels per arm matter
-      double scale = 0;
-      for (const double v : left + right) scale = std::max(scale, std::abs(v));
-      if (depth == 0 || distance(left + right, whole) <= tolerance * arm.radius * arm.radius) return left + right;
-      return self(self, lo, mid, left, depth - 1) + self(self, mid, hi, right, depth - 1);
-    };
-    constexpr int panels = 8;
-    for (int k = 0; k < panels; ++k) {
-      const double lo = 2 * pi * k / panels, hi = 2 * pi * (k + 1) / panels;
-      total = total + halve(halve, lo, hi, panel(lo, hi), 24);
-    }
-  }
+  for (std::size_t own = 0; own < arms.size(); ++own) total = total + Around(arms[own], covers_of(arms, own)).whole();
   UnionIntegrals out;
   out.surface = total[0];
   out.volume = total[1];
