@@ -48,9 +48,11 @@ inline std::size_t collect(const CollectArrays& p) {
 }
 
 /// Indices of `width` contacts; those beyond the last repeat it.
-struct alignas(64) Batch {
+struct Batch {
+  alignas(64) double mbar[width];
+  alignas(64) double s[width];
+  alignas(64) double t[width];
   std::uint32_t pair[width], i[width], j[width], arm_i[width], arm_j[width];
-  double mbar[width], s[width], t[width];
 };
 
 JAM_INLINE void fill(Batch& b, const PressArrays& p, std::size_t from, std::size_t count) {
