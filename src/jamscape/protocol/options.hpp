@@ -42,7 +42,7 @@ struct GrainOptions {
   double width = 0.4;       // r_p
   double size_ratio = 1.4;  // bidisperse
   double small_fraction = 2.0 / 3.0;
-  double inertia_factor = 0.5;  // I = factor m R^2
+  double inertia_factor = 0;
 
   template <class V>
   void describe(V& v) {
@@ -75,7 +75,7 @@ struct GrainOptions {
     v.option("small_fraction", small_fraction,
              {.text = "bidisperse sizes: fraction of grains that are small", .min = 0, .max = 1});
     v.option("inertia_factor", inertia_factor,
-             {.text = "moment of inertia over m R^2: 1/2 for a disc, 2/5 for a sphere", .min = 0.01, .max = 1});
+             {.text = "balls: moment of inertia over m R^2; 0: 1/2 for discs, 2/5 for spheres", .min = 0, .max = 1});
   }
 };
 
@@ -251,6 +251,12 @@ struct SystemOptions {
     v.group("clusters", clusters);
   }
 };
+
+/// I/(m R^2) of the balls of this system.
+inline double inertia_factor(const SystemOptions& system) {
+  if (system.grains.inertia_factor > 0) return system.grains.inertia_factor;
+  return system.domain.dimension == 2 ? 0.5 : 0.4;
+}
 
 /// The name of stage `index` in keys and tables: its own, or its kind and number.
 inline std::string stage_name(const SystemOptions& system, std::size_t index) {

@@ -145,7 +145,7 @@ EngineSetup<D> start(const SystemOptions& system, const TaskKey& key) {
     const double r = diameters[k] / 2, m = std::pow(diameters[k], D) / mean;
     setup.radius.push_back(r);
     setup.mass.push_back(m);
-    setup.inertia.push_back(system.grains.inertia_factor * m * r * r);
+    setup.inertia.push_back(inertia_factor(system) * m * r * r);
     setup.species.push_back(system.grains.sizes == SizeLaw::bidisperse && diameters[k] > 1 ? 1 : 0);
     Vec<D> x, v;
     std::size_t site = k;

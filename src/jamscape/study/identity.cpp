@@ -8,10 +8,9 @@
 namespace jam {
 namespace {
 
-/// Appends the options in which `s` differs from a default one.
+/// Appends the options in which `s` differs from `standard`.
 template <class S>
-void append_differing(S s, const std::string& prefix, std::string& text) {
-  S standard;
+void append_differing(S s, S standard, const std::string& prefix, std::string& text) {
   const std::vector<Option> set = options_of(s, prefix), defaults = options_of(standard, prefix);
   for (std::size_t k = 0; k < set.size(); ++k)
     if (const std::string value = print_value(set[k]); value != print_value(defaults[k]))
@@ -22,7 +21,11 @@ void append_differing(S s, const std::string& prefix, std::string& text) {
 
 std::string physics_text(const SystemOptions& system) {
   std::string text;
-  append_differing(system, "", text);
+  SystemOptions named = system, standard;
+  // By its value, whether a study gave it or not; 1/2 was the default before there was one for each dimension.
+  standard.grains.inertia_factor = 0.5;
+  named.grains.inertia_factor = system.grains.shape == BodyShape::ball ? inertia_factor(system) : 0.5;
+  append_differing(std::move(named), standard, "", text);
   for (std::size_t k = 0; k < system.stages.size(); ++k) {
     StageOptions stage = system.stages[k];
     stage.name.clear();
@@ -30,7 +33,7 @@ std::string physics_text(const SystemOptions& system) {
     stage.frames_at.clear();
     stage.frames_inside = StageOptions{}.frames_inside;
     text += fmt::format("stage {}\n", k + 1);
-    append_differing(std::move(stage), "stage.", text);
+    append_differing(std::move(stage), StageOptions{}, "stage.", text);
   }
   return text;
 }

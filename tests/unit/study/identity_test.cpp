@@ -23,6 +23,18 @@ TEST(Identity, NamesFramesAndWrittenDefaultsDoNotCount) {
   EXPECT_EQ(task_hash(a, 1, 0), task_hash(written.systems.at(1).options, 1, 0));
 }
 
+TEST(Identity, TheMomentOfInertiaCountsByItsValue) {
+  SystemOptions disc = system(), sphere = disc;
+  sphere.domain.dimension = 3;
+  for (SystemOptions* s : {&disc, &sphere}) {
+    SystemOptions given = *s;
+    given.grains.inertia_factor = s == &disc ? 0.5 : 0.4;
+    EXPECT_EQ(task_hash(given, 1, 0), task_hash(*s, 1, 0));
+    given.grains.inertia_factor = s == &disc ? 0.4 : 0.5;
+    EXPECT_NE(task_hash(given, 1, 0), task_hash(*s, 1, 0));
+  }
+}
+
 TEST(Identity, PhysicsSeedAndRealisationCount) {
   const SystemOptions a = system();
   const std::string hash = task_hash(a, 1, 0);
