@@ -271,7 +271,8 @@ class Tables {
       relaxed += fmt::format("{},{},{},{},{}\n", name, task.realisation, f, task.plan.frames[f].stage,
                              last ? relaxed_energy : "");
       if (task.realisation != 0) continue;
-      const std::string lead = fmt::format("{},{},nan", name, f);
+      if (last) pooled += fmt::format("{},tail_k_pooled,{},{},0.02\n", name, realisations, k);
+      const std::string lead = fmt::format("{},{},{}", name, f, 0.4 + 0.05 * static_cast<double>(f));
       const std::pair<const char*, double> quantities[] = {{"tail_k", k},
                                                            {"tail_k_mle", k + 0.1},
                                                            {"tail_k_loglinear", k + 0.05},
@@ -308,12 +309,13 @@ class Tables {
     write_text(folder / "ensemble/contact_force_distribution.csv", head(",force") + forces);
     write_text(folder / "ensemble/stress_distribution.csv", head(",stress") + stresses);
     write_text(folder / "ensemble/radial_distribution.csv", head(",distance") + pairs);
+    write_text(folder / "ensemble/transitions.csv", "system,quantity,n,value,se\n" + pooled);
     write_text(folder / "tables/frames.csv", "system,realisation,frame,stage,relaxation\n" + relaxed);
   }
 
  private:
   Random random_{1, "clusters", 0, "noise"};
-  std::string frames, forces, stresses, pairs, relaxed;
+  std::string frames, forces, stresses, pairs, relaxed, pooled;
 };
 
 void write_frames(const TaskFolder& folder, const Task& task, const Packing& heap) {

@@ -5,9 +5,9 @@ import type { Data, Estimate } from "./data";
 import { jammingOf, jammingSymbol } from "./data";
 import { h } from "./dom";
 import type { State } from "./state";
-import { clusterLabels, shapeRanks } from "./kinds";
+import { clusterLabels, kindsOf, shapeRanks } from "./kinds";
 import { systemLabel } from "./symbols";
-import { assignColours, shapeColour, systemColour, systemDash } from "./theme";
+import { assignColours, paletteColour, shapeColour, systemColour, systemDash } from "./theme";
 
 export interface Section {
   id: string;
@@ -30,7 +30,10 @@ export class Context {
     this.labels = clusterLabels(data) ?? data.study.systems.map((system) => systemLabel(data.study, system));
     // Shapes in the order of their arms; systems of one shape in several containers share its colour.
     const ranks = shapeRanks(data);
-    if (ranks.every((rank) => rank !== null)) assignColours(ranks.map((rank) => shapeColour(rank!)));
+    const kinds = kindsOf(data);
+    const kindOf = (k: number) => Math.max(kinds.findIndex((kind) => kind.systems.includes(k)), 0);
+    if (new Set(ranks).size > 1)
+      assignColours(ranks.map((rank, k) => ({ colour: rank === null ? paletteColour(k) : shapeColour(rank), dash: kindOf(k) })));
   }
 
   /** The label of a system after its colour. */

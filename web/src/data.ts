@@ -252,6 +252,12 @@ export function grainsOf(study: Study, system: number): number {
   return Number(study.systems[system].options["grains.count"] ?? 1);
 }
 
+/** A quantity of the final state of a container: of all realisations pooled, where that was taken; else their mean. */
+export function finalValue(data: Data, system: number, quantity: string): { mean: number; se: number | null } | null {
+  const quantities = data.final?.systems[system]?.quantities;
+  return quantities?.[`${quantity}_pooled`] ?? quantities?.[quantity] ?? null;
+}
+
 /** The shape of a system's grains; null for discs, spheres and mixtures. */
 export function shapeOf(data: Data, system: number): ShapeFacts | null {
   const shapes = data.shapes?.systems[system];

@@ -88,5 +88,5 @@ export function clusterLabels(data: Data): string[] | null {
 export function shapeRanks(data: Data): (number | null)[] {
   const psi = data.study.systems.map((_, k) => shapeOf(data, k)?.aspect ?? null);
   const known = [...new Set(psi.filter((v) => v !== null))].sort((a, b) => a - b);
-  return psi.map((v) => (v === null ? null : known.length > 1 ? known.indexOf(v) / (known.length - 1) : 0));
+  return psi.map((v) => (v === null ? null : known.length > 1 ? known.indexOf(v) / (known.length - 1) : null));
 }

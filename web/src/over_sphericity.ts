@@ -1,7 +1,7 @@
 // A quantity of the final states over the sphericity of the grains: a line per kind of container, and published values.
 import type { ChartOptions, Line } from "./chart/chart";
 import type { Context } from "./context";
-import { shapeOf } from "./data";
+import { finalValue, shapeOf } from "./data";
 import { h, markup } from "./dom";
 import { kindsOf, type Kind } from "./kinds";
 import { paletteColour } from "./theme";
@@ -37,11 +37,11 @@ function lineOf(context: Context, kind: Kind, index: number, quantity: string): 
   const points = kind.systems
     .filter((k) => shown[k])
     .flatMap((k) => {
-      const value = context.data.final?.systems[k]?.quantities[quantity];
+      const value = finalValue(context.data, k, quantity);
       return value ? [{ x: shapeOf(context.data, k)!.sphericity, ...value }] : [];
     })
     .sort((a, b) => a.x - b.x);
-  const known = kind.systems.some((k) => context.data.final?.systems[k]?.quantities[quantity]);
+  const known = kind.systems.some((k) => finalValue(context.data, k, quantity));
   if (!known) return null;
   return {
     label: kind.label,
@@ -56,16 +56,19 @@ function lineOf(context: Context, kind: Kind, index: number, quantity: string): 
   };
 }
 
-/** Null where no system has the quantity. */
+/** Null where no system has the quantity; `dimension` keeps to the systems that have this one. */
 export function overSphericity(
   context: Context,
   quantity: string,
   title: string,
   references: Reference[] = [],
   more: Partial<ChartOptions> = {},
+  dimension?: number,
 ): HTMLElement | null {
   const kinds = kindsOf(context.data);
-  const lines = () => kinds.map((kind, k) => lineOf(context, kind, k, quantity)).filter((line) => line !== null);
+  const wanted = (kind: Kind) => dimension === undefined || kind.dimension === dimension;
+  const lines = () =>
+    kinds.map((kind, k) => (wanted(kind) ? lineOf(context, kind, k, quantity) : null)).filter((line) => line !== null);
   const first = lines();
   if (!first.length) return null;
   const all = () => [...references.map((r) => r.line), ...lines()];

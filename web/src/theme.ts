@@ -5,9 +5,10 @@ const SYSTEMS = ["#0072b2", "#d55e00", "#009e73", "#b4508e", "#1b1b1b", "#c99700
 const DASHES: (number[] | undefined)[] = [undefined, [7, 4], [2, 3], [9, 3, 2, 3]];
 
 /** Colours that mean something in this study, by system; empty where the palette serves. */
-let own: string[] = [];
+let own: { colour: string; dash: number }[] = [];
 
-export function assignColours(colours: string[]): void {
+/** `dash` tells lines of one colour apart: 0 for a full line, and so on. */
+export function assignColours(colours: { colour: string; dash: number }[]): void {
   own = colours;
 }
 
@@ -16,12 +17,12 @@ export function paletteColour(index: number): string {
 }
 
 export function systemColour(index: number): string {
-  return own[index] ?? paletteColour(index);
+  return own[index]?.colour ?? paletteColour(index);
 }
 
 /** Systems beyond the palette's length repeat its colours with dashes. */
 export function systemDash(index: number): number[] | undefined {
-  if (own.length) return undefined;
+  if (own.length) return DASHES[own[index].dash % DASHES.length];
   return DASHES[Math.floor(index / SYSTEMS.length) % DASHES.length];
 }
 

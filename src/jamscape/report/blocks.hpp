@@ -14,7 +14,7 @@ namespace jam {
 /// Title, program, and each system with its options and realisations.
 Json study_block(const Results& results);
 
-/// ensemble/transitions.csv, and where each system jams
+/// ensemble/transitions.csv, and where each system jams; nothing of containers
 Json transitions_block(const Results& results);
 
 /// Published values beside ours, when the study names targets that come with the program.
@@ -47,8 +47,8 @@ std::vector<ManyChoice> many_choices();
 /// ensemble/<measure>.csv
 Json many_block(const Results& results, const ManyChoice& choice);
 
-/// The final states of containers: every quantity of ensemble/frames.csv, per system; null for a system whose packing
-/// fractions are planned.
+/// The final states of containers: every quantity of ensemble/frames.csv, and those of ensemble/transitions.csv (fits
+/// to all realisations pooled), per system; null for other systems.
 Json final_block(const Results& results);
 
 /// What the grains of each system are, from its stored frames: shape, sphericity, aspect ratio, volume and so on; null

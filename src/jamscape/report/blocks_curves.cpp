@@ -30,7 +30,7 @@ Json estimate_json(const Estimates& estimates, std::size_t rows) {
 }
 
 std::vector<std::int64_t> chosen_frames(const SystemRows& rows, FrameChoice choice, double from) {
-  if (choice == FrameChoice::final) {
+  if (rows.container || choice == FrameChoice::final) {
     if (rows.frames.empty()) return {};
     return {rows.frames.rbegin()->first};
   }
@@ -55,7 +55,7 @@ Json frames_block(const Results& results) {
     std::map<double, std::int64_t> by_rho;
     std::set<std::string> names;
     for (const auto& [frame, at] : rows.frames) {
-      if (!has_target(at)) continue;
+      if (rows.container) break;
       by_rho[at.rho] = frame;
       for (const auto& [name, estimates] : at.quantities)
         if (!says_nothing(name, dimension)) names.insert(name);

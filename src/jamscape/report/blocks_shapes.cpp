@@ -28,6 +28,20 @@ Json facts_json(const ClusterShape& shape) {
   return out;
 }
 
+void add_estimate(Json& quantities, const std::string& name, double value, double error) {
+  if (std::isfinite(value)) quantities[name] = {{"mean", rounded(value, 6)}, {"se", rounded(error, 3)}};
+}
+
+void add_pooled(const Results& results, const Table& table, Json& systems) {
+  const std::vector<std::string> system = text_column(table, "system"), quantity = text_column(table, "quantity");
+  const std::vector<double> value = table.numbers("value"), error = table.numbers("se");
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const int index = results.system(system[k]);
+    if (index < 0 || systems[static_cast<std::size_t>(index)].is_null()) continue;
+    add_estimate(systems[static_cast<std::size_t>(index)]["quantities"], quantity[k], value[k], error[k]);
+  }
+}
+
 }  // namespace
 
 Json shape_json(const ClusterShape& shape) {
@@ -51,15 +65,16 @@ Json final_block(const Results& results) {
   bool any = false;
   for (const SystemRows& rows : ensemble_rows(results, *table, "")) {
     systems.push_back(nullptr);
-    if (rows.frames.empty() || has_target(rows.frames.rbegin()->second)) continue;
+    if (rows.frames.empty() || !rows.container) continue;
     Json quantities = Json::object();
     for (const auto& [name, estimates] : rows.frames.rbegin()->second.quantities)
-      if (!estimates.mean.empty() && std::isfinite(estimates.mean.front()))
-        quantities[name] = {{"mean", rounded(estimates.mean.front(), 6)}, {"se", rounded(estimates.error.front(), 3)}};
+      if (!estimates.mean.empty()) add_estimate(quantities, name, estimates.mean.front(), estimates.error.front());
     systems.back() = {{"realisations", rows.realisations}, {"quantities", std::move(quantities)}};
     any = true;
   }
-  return any ? Json{{"systems", std::move(systems)}} : Json();
+  if (!any) return nullptr;
+  if (const auto pooled = results.table("ensemble/transitions.csv")) add_pooled(results, *pooled, systems);
+  return {{"systems", std::move(systems)}};
 }
 
 Json shapes_block(const Results& results, const std::vector<PictureSource>& sources) {

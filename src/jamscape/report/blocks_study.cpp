@@ -100,8 +100,10 @@ Json transitions_block(const Results& results) {
   const std::vector<double> error = table->numbers("se");
   Json rows = Json::array();
   for (std::size_t k = 0; k < table->rows(); ++k) {
-    if (results.system(system[k]) < 0 || !std::isfinite(value[k])) continue;
-    rows.push_back({{"system", results.system(system[k])},
+    const int index = results.system(system[k]);
+    if (index < 0 || !std::isfinite(value[k])) continue;
+    if (is_container(results.study.systems[static_cast<std::size_t>(index)].options.domain.walls)) continue;
+    rows.push_back({{"system", index},
                     {"quantity", quantity[k]},
                     {"n", static_cast<std::int64_t>(n[k])},
                     {"value", rounded(value[k], 7)},

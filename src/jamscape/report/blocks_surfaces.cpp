@@ -21,8 +21,8 @@ constexpr Shown shown[] = {
 /// Frames by packing fraction; of two at the same one the later.
 std::map<double, std::int64_t> by_packing_fraction(const SystemRows& rows) {
   std::map<double, std::int64_t> frames;
-  for (const auto& [frame, at] : rows.frames)
-    if (has_target(at)) frames[at.rho] = frame;
+  if (rows.container) return frames;
+  for (const auto& [frame, at] : rows.frames) frames[at.rho] = frame;
   return frames;
 }
 

@@ -1,7 +1,6 @@
 // The long tables of DIR/ensemble (one row per system, frame, abscissa and quantity), put into curves.
 #pragma once
 
-#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,19 +15,17 @@ struct Estimates {
 
 /// Mean and error of each quantity over the abscissae of one frame.
 struct FrameRows {
-  double rho = 0;         ///< planned packing fraction
+  double rho = 0;         ///< packing fraction: as planned, or what came out in a container
   std::vector<double> x;  ///< the same for all quantities, taken from the first; empty for the table of frames
   std::string first;
   std::map<std::string, Estimates> quantities;
 };
 
-/// A container's packing fraction is what comes out, so that its frames have none as their target: they are told apart
-/// by their index, and the last one is the final state.
-inline bool has_target(const FrameRows& rows) { return std::isfinite(rows.rho); }
-
 struct SystemRows {
   std::map<std::int64_t, FrameRows> frames;  ///< by index of the frame
   std::int64_t realisations = 0;             ///< the largest n
+  bool container =
+      false;  ///< its frames are ends of stages, and no curve over the packing fraction: the last one counts
 };
 
 /// One entry per system of the study; where frames follow relaxations, only those. `abscissa` names the column that

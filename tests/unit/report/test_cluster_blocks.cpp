@@ -40,7 +40,7 @@ TEST_F(ClusterBlocks, ShapesComeFromTheStoredFrames) {
   EXPECT_NEAR(shapes["systems"][4][0]["j1"].get<double>(), 0.577, 1e-3);
 }
 
-TEST_F(ClusterBlocks, StatesWithoutAPlannedPackingFractionAreTheFinalOnes) {
+TEST_F(ClusterBlocks, TheLastStateOfAContainerIsTheFinalOne) {
   const Results results = open_results(folder());
   EXPECT_TRUE(frames_block(results).is_null());
   const Json final = final_block(results);
@@ -49,6 +49,8 @@ TEST_F(ClusterBlocks, StatesWithoutAPlannedPackingFractionAreTheFinalOnes) {
   const Json& k = final["systems"][0]["quantities"]["tail_k"];
   EXPECT_NEAR(k["mean"].get<double>(), 1.42, 0.05);
   EXPECT_GT(k["se"].get<double>(), 0);
+  EXPECT_EQ(final["systems"][0]["quantities"]["tail_k_pooled"]["se"], 0.02);
+  EXPECT_TRUE(transitions_block(results).is_null());  // nothing of it is a transition
 }
 
 TEST_F(ClusterBlocks, DistributionsAreThoseOfTheFinalState) {
@@ -57,7 +59,7 @@ TEST_F(ClusterBlocks, DistributionsAreThoseOfTheFinalState) {
     const Json block = many(results, measure);
     ASSERT_EQ(block["systems"].size(), 6u) << measure;
     ASSERT_EQ(block["systems"][0]["frames"].size(), 1u) << measure;
-    EXPECT_TRUE(block["systems"][0]["frames"][0]["rho"].is_null());
+    EXPECT_EQ(block["systems"][0]["frames"][0]["rho"], 0.5);
   }
   EXPECT_EQ(many(results, "contact_force_distribution")["systems"][0]["frames"][0]["x"].size(), 50u);
   EXPECT_LE(many(results, "radial_distribution")["systems"][0]["frames"][0]["x"].back(), 4);

@@ -21,7 +21,7 @@ export function densityLines(context: Context, data: FinalDistribution, kind: Ki
     // Empty bins end the curve rather than fall to the bottom of the axis.
     const mean = density.mean.map((v) => (v === 0 ? null : v));
     const line = context.line(k, frame.x, { mean, se: density.se });
-    return [{ ...line, label: shapeLabel(context.data, k), width: 1.7, points: false, band: 0.12 }];
+    return [{ ...line, label: shapeLabel(context.data, k), dash: undefined, width: 1.7, points: false, band: 0.12 }];
   });
 }
 

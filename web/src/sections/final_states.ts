@@ -1,6 +1,6 @@
 // The final states of containers: how dense they are, and their numbers.
 import type { Context, Section } from "../context";
-import { shapeOf } from "../data";
+import { dimensionOf, finalValue, shapeOf } from "../data";
 import { figure, h, table } from "../dom";
 import { plain, withError } from "../numbers";
 import { overSphericity } from "../over_sphericity";
@@ -19,7 +19,7 @@ const COLUMNS: [string, string][] = [
   ["tail_k", "<i>k</i>"],
   ["tail_k_loglinear", "<i>k</i> <small>log-linear</small>"],
   ["tail_k_mle", "<i>k</i> <small>likelihood</small>"],
-  ["type_a", "type A <small>part of runs</small>"],
+  ["type_a", "type A"],
   ["peak_position", "peak of <i>P</i>(<i>f</i>)"],
   ["fraction_above_8", "part of <i>f</i> &gt; 8"],
   ["largest_force", "largest <i>f</i>"],
@@ -39,7 +39,7 @@ export const finalStates: Section = {
 function densities(context: Context): HTMLElement | null {
   const charts = [
     overSphericity(context, "solid_fraction", "<i>φ</i> <span class=\"what\">solid fraction</span>"),
-    overSphericity(context, "area_fraction", "<i>φ</i><sub>A</sub> <span class=\"what\">area fraction in two dimensions</span>"),
+    overSphericity(context, "area_fraction", "<i>φ</i><sub>A</sub> <span class=\"what\">area fraction in two dimensions</span>", [], {}, 2),
     overSphericity(context, "z", "<i>Z</i> <span class=\"what\">grains that a grain touches</span>", [], { zero: true }),
   ].filter((c) => c !== null);
   if (!charts.length) return null;
@@ -54,12 +54,13 @@ function densities(context: Context): HTMLElement | null {
 
 function numbersTable(context: Context): HTMLElement | null {
   const systems = context.data.final?.systems ?? [];
-  const shown = COLUMNS.filter(([name]) => systems.some((s) => s && name in s.quantities));
+  const shown = COLUMNS.filter(([name]) => systems.some((_, k) => finalValue(context.data, k, name)));
   const rows = systems.flatMap((system, k) => {
     if (!system) return [];
     const shape = shapeOf(context.data, k);
     const cells = shown.map(([name]) => {
-      const value = system.quantities[name];
+      if (name === "area_fraction" && dimensionOf(context.data.study, k) === 3) return "–";
+      const value = finalValue(context.data, k, name);
       return value ? withError(value.mean, value.se) : "–";
     });
     return [[context.systemTitle(k), shape ? plain(shape.sphericity, 3) : "–", String(system.realisations), ...cells]];
@@ -68,7 +69,8 @@ function numbersTable(context: Context): HTMLElement | null {
   const head = ["system", "<i>ψ</i>", "runs", ...shown.map(([, title]) => title)];
   return figure("", [table("numbers", head, rows)], {
     text:
-      "Means over realisations with their standard errors, at the end of the last stage. The lid carries the load and the grains carry their own " +
+      "Means over realisations with their standard errors, at the end of the last stage; what is read off <i>P</i>(<i>f</i>) is read off " +
+      "that of all realisations together where it was pooled. The lid carries the load and the grains carry their own " +
       "weight: where weight/load is not small, forces grow downwards. Three ways to fit the tail's exponent differ by about .1.",
     source: "S3 Methods; theory sec. 4.",
   });

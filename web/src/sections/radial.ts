@@ -1,7 +1,7 @@
 // Where the neighbours of a cluster are: radial distributions, and their peaks beside the distances of closest configurations.
 import type { Line } from "../chart/chart";
 import type { Context, Section } from "../context";
-import { shapeOf, type FinalDistribution, type ShapeFacts } from "../data";
+import { finalValue, shapeOf, type FinalDistribution, type ShapeFacts } from "../data";
 import { figure, h, table } from "../dom";
 import { kindsOf, shapeLabel, type Kind } from "../kinds";
 import { plain, withError } from "../numbers";
@@ -44,6 +44,7 @@ function curvesOf(context: Context, data: FinalDistribution, kind: Kind): Line[]
     lines.push({
       ...context.line(k, frame.x, g),
       label: shapeLabel(context.data, k),
+      dash: undefined,
       width: 1.5,
       points: false,
       shift: base,
@@ -97,18 +98,18 @@ export const radial: Section = {
 
 /** Positions found, calculated and printed. */
 function peaksTable(context: Context, kinds: Kind[]): HTMLElement | null {
-  const { final, conzelmann } = context.data;
+  const { conzelmann } = context.data;
   const rows = kinds.flatMap((kind) =>
     kind.systems.flatMap((k) => {
-      const quantities = final?.systems[k]?.quantities;
-      if (!quantities || !["rdf_peak1", "rdf_peak2", "rdf_peak3"].some((name) => name in quantities)) return [];
+      const peak = (n: number) => finalValue(context.data, k, `rdf_peak${n}`);
+      if (![1, 2, 3].some((n) => peak(n))) return [];
       const shape = shapeOf(context.data, k)!;
       const alike = (dimension: number, psi: number) =>
         dimension === kind.dimension && (kind.dimension === 2 || kind.walls === "cylinder") && Math.abs(psi - shape.sphericity) < 0.006;
       const printed = conzelmann?.peaks.find((row) => alike(row.dimension, row.sphericity));
       const cells = [1, 2, 3].flatMap((n) => {
-        const found = quantities[`rdf_peak${n}`];
-        const inner = quantities[`rdf_peak${n}_error`]?.mean ?? null;
+        const found = peak(n);
+        const inner = finalValue(context.data, k, `rdf_peak${n}_error`)?.mean ?? null;
         const calculated = kind.dimension === 2 ? [shape.d1, shape.d2, shape.d3][n - 1] : n === 1 ? shape.j1 : null;
         const known = printed ? printed.peaks[n - 1] : undefined;
         return [

@@ -147,7 +147,7 @@ const INFLECTION =
 
 export const transitions: Section = {
   id: "transitions",
-  title: "Where the systems jam",
+  title: ({ data }) => (data.transitions ? "Where the systems jam" : "Published values beside ours"),
   build(context) {
     const { transitions, score } = context.data;
     const out: HTMLElement[] = [];

@@ -64,12 +64,14 @@ export const topology: Section = {
       };
       slider.addEventListener("input", show);
       show();
+      const one = data.systems.every((system) => system.frames.length < 2); // final states, nothing to choose
       if (charts.length)
         out.push(
-          figure("", [h("div", "slider", slider, value), h("div", "grid two", ...charts.map(([, c]) => c.element))], {
+          figure("", [...(one ? [] : [h("div", "slider", slider, value)]), h("div", "grid two", ...charts.map(([, c]) => c.element))], {
             text:
-              "Number of components and of loops in the part of the network that carries at least the force <i>θ</i>, at one " +
-              "packing fraction: move the slider to compress. Loops of three touching grains are filled.",
+              "Number of components and of loops in the part of the network that carries at least the force <i>θ</i>, " +
+              `${one ? "in the final state" : "at one packing fraction: move the slider to compress"}. Loops of three touching ` +
+              "grains are filled.",
             formula: "<i>B<sub>k</sub></i>(<i>θ</i>) of the clique complex of all contacts with <i>F</i> ≥ <i>θ</i>",
             source: "S1 Sec. II.B.",
           }),
