@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cluster_scenes.hpp"
+#include "jamscape/dem/cluster_contact.hpp"
 
 namespace jam {
 namespace {
@@ -136,6 +137,35 @@ TEST(ClusterCollision, the_ledger_closes_with_friction_and_damping) {
       EXPECT_LT(std::abs(coarse.energy_error), 0.06);
       EXPECT_LT(std::abs(fine.energy_error), std::abs(coarse.energy_error) / 3);
     }
+}
+
+/// Two arms, the second .9 above the middle of the first and turned by `angle` about its own middle at x = 2.
+template <ParallelRule rule>
+ArmTouch<double> at_angle(double angle) {
+  const Segment<double> one{{0, 0, 0}, {1, 0, 0}, 3}, two{{2, 0.9, 0}, {std::cos(angle), std::sin(angle), 0}, 3};
+  const auto c = closest_points(one, two);
+  const double bound = std::sin(std::numbers::pi / 90);
+  return touch_arms<rule>(one, 0.5, two, 0.5, c.s, c.t, bound * bound);
+}
+
+TEST(ParallelArms, overlap_and_normal_are_continuous_and_the_point_moves_by_the_rule) {
+  const double bound = std::numbers::pi / 90, step = 1e-9;
+  for (const double side : {-1.0, 1.0}) {
+    const auto inside = at_angle<ParallelRule::middle>(side * (bound - step)),
+               outside = at_angle<ParallelRule::middle>(side * (bound + step));
+    EXPECT_NEAR(inside.overlap, outside.overlap, 1e-7);
+    EXPECT_LT(norm(inside.normal - outside.normal), 1e-7);
+    EXPECT_NEAR(inside.point[0], 1, 0.03);  // side by side from -1 to 3
+    EXPECT_GT(norm(inside.point - outside.point), 1.9);
+    const auto blended = at_angle<ParallelRule::blend>(side * (bound - step)),
+               sharp = at_angle<ParallelRule::blend>(side * (bound + step));
+    EXPECT_LT(norm(blended.point - sharp.point), 1e-6);
+    EXPECT_EQ(sharp.point, outside.point);
+  }
+  EXPECT_LT(norm(at_angle<ParallelRule::blend>(0).point - at_angle<ParallelRule::middle>(0).point), 1e-12);
+  EXPECT_LT(norm(at_angle<ParallelRule::blend>(1e-9).point - at_angle<ParallelRule::blend>(-1e-9).point), 1e-6);
+  // the point lies half the overlap inside the first arm, on the line of the closest points
+  EXPECT_NEAR(at_angle<ParallelRule::middle>(0).point[1], 0.45, 1e-15);
 }
 
 /// Mean and root mean square of the energy that elastic collisions of nearly parallel rods gain.

@@ -117,8 +117,8 @@ TEST(ClusterEngine, the_list_misses_no_contact) {
     s.walls[3].velocity = -0.005;
     ClusterEngine engine(s);
     std::size_t seen = 0;
-    for (int k = 0; k < 300; ++k) {
-      engine.run(11);
+    for (int k = 0; k < 100; ++k) {
+      engine.run(33);
       engine.compute_forces();
       const Packing p = engine.record();
       std::size_t pairs = 0, ends = 0, touching_ends = 0;
@@ -137,7 +137,7 @@ TEST(ClusterEngine, the_list_misses_no_contact) {
       seen += pairs;
       engine.advance();
     }
-    EXPECT_GT(seen, 1000u);
+    EXPECT_GT(seen, 300u);
   }
 }
 
