@@ -27,14 +27,15 @@ function emblem(context: Context): HTMLElement | null {
   for (let system = systems.length - 1; system >= 0; --system) {
     const frame = pick(systems[system], "own", jammingOf(context.data, system));
     if (!frame) continue;
-    const size = frame.clusters ? 260 : 300;
     const canvas = h("canvas");
-    canvas.style.width = `${size}px`;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "force network of one packing");
     const three = frame.axes.length === 3;
     const look = startLook(frame.clusters !== undefined);
-    canvas.style.height = `${size * (three ? spheresAspect(frame) : packingAspect(frame))}px`;
+    const aspect = three ? spheresAspect(frame) : packingAspect(frame);
+    const size = Math.round(Math.min(300, 330 / aspect));
+    canvas.style.width = `${size}px`;
+    canvas.style.height = `${size * aspect}px`;
     if (three) drawSpheres(canvas, frame, size, context.state.start, look);
     else drawPacking(canvas, frame, size, look);
     const text = `${context.labels[system]}, <i>ρ</i> = ${plain(frame.rho, 3)}`;

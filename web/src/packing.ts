@@ -44,7 +44,7 @@ function drawClusters(
       const thick = 2 * arms[k + 6] * scale;
       const bare = thick < 5 * contour; // too thin for one
       if (bare && !inside) continue;
-      ctx.strokeStyle = inside ? paint : shaded(paint, 0.7);
+      ctx.strokeStyle = bare ? shaded(paint, 0.9) : inside ? paint : shaded(paint, 0.7);
       ctx.lineWidth = Math.max(thick - (inside && !bare ? 2 * contour : 0), 0.5 * pixelRatio);
       ctx.beginPath();
       ctx.moveTo(x(arms[k]), y(arms[k + 1]));
@@ -53,8 +53,8 @@ function drawClusters(
     }
 }
 
-const PALE = "#e6ebf1";
-const QUIET = "#d3dbe5";
+const PALE = "#dde3eb";
+const QUIET = "#ccd5e0";
 
 /** Of forces those from `look.least` on, in mean forces; `look.what` says whether clusters are coloured by their stress. */
 export function drawPacking(canvas: HTMLCanvasElement, frame: NetworkFrame, size: number, look: Look): void {

@@ -11,6 +11,9 @@ export function outline(scene: Scene): Segment[] {
   return scene.cylinder ? cylinderLines(scene) : boxEdges(scene);
 }
 
+/** Radius of these lines; those of a high container are no thicker than those of a low one as wide. */
+export const fineLine = (scene: Scene): number => 0.0026 * Math.min(scene.reach, 2.4 * scene.half[0]);
+
 /** The twelve edges; four of a box without thickness. */
 function boxEdges(scene: Scene): Segment[] {
   const edges: Segment[] = [];

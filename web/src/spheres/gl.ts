@@ -2,7 +2,7 @@
 // canvas, where it can be printed and read like any other figure.
 import { channels, HEAT_STOPS } from "../theme";
 import { PER_ARM } from "../clusters";
-import { outline } from "./box";
+import { fineLine, outline } from "./box";
 import { PER_CONTACT, PER_GRAIN, type Scene } from "./scene";
 import { ROD_FRAGMENT, ROD_VERTEX, SPHERE_FRAGMENT, SPHERE_VERTEX } from "./shaders";
 import { lensOf, type Look, type View } from "./view";
@@ -87,6 +87,7 @@ class Renderer {
     gl.uniform1f(at("plain"), look.what === "both" ? 1 : 0);
     gl.uniform1f(at("body"), 0);
     gl.uniform1f(at("unit"), scene.unit);
+    gl.uniform1f(at("fine"), fineLine(scene));
     gl.uniform1f(at("front"), lens.front);
     gl.uniform1f(at("reach"), scene.reach);
     gl.uniform1f(at("least"), look.least);

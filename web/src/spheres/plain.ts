@@ -2,7 +2,7 @@
 // colour, arms of clusters in short pieces.
 import { PER_ARM, STRONGEST_STRESS } from "../clusters";
 import { heat, shaded } from "../theme";
-import { outline } from "./box";
+import { fineLine, outline } from "./box";
 import { SHRINK, SHRINK_ARM } from "./gl";
 import { PER_CONTACT, PER_GRAIN, type Scene } from "./scene";
 import { lensOf, rotate, type Look, type View } from "./view";
@@ -73,7 +73,7 @@ export function drawPlain(
   ctx.fillRect(0, 0, width, height);
   ctx.lineCap = "round";
   for (const [a, b] of outline(scene))
-    rod(rotate(view.rotation, ...a), rotate(view.rotation, ...b), scene.cylinder ? "#bcc4ce" : "#858f9e", 0.0052 * scene.reach);
+    rod(rotate(view.rotation, ...a), rotate(view.rotation, ...b), scene.cylinder ? "#bcc4ce" : "#858f9e", 2 * fineLine(scene));
   if (look.what !== "grains")
     for (let k = Math.max(scene.contacts.length - PER_CONTACT * most, 0); k < scene.contacts.length; k += PER_CONTACT) {
       const c = scene.contacts;
@@ -86,6 +86,7 @@ export function drawPlain(
       for (const end of [a, b]) rod(end, middle, colour, width, Math.min(end[2], middle[2]) - 0.01); // behind its grain
     }
   const bodies = look.what === "grains" || (look.what === "both" && most === Infinity);
+  const mostPieces = scene.arms.length > 5000 * PER_ARM ? 2 : 8;
   if (bodies)
     for (let k = 0; k < scene.arms.length; k += PER_ARM) {
       const arm = scene.arms.subarray(k, k + PER_ARM);
@@ -94,7 +95,8 @@ export function drawPlain(
       if ((a[2] + b[2]) / 2 > lens.front) continue;
       const colour = scene.tint ?? (look.what === "both" ? "#ccd5df" : arm[7] > 0 ? heat(arm[7] / STRONGEST_STRESS) : "#edf1f5");
       const thick = arm[6] * (look.what === "both" ? SHRINK_ARM : 1);
-      const pieces = Math.min(Math.max(Math.round(Math.hypot(...a.map((v, axis) => v - b[axis])) / (3 * thick)), 1), 4);
+      const length = Math.hypot(...a.map((v, axis) => v - b[axis]));
+      const pieces = Math.min(Math.max(Math.ceil(length / (1.2 * arm[6])), 1), mostPieces);
       const cut = (part: number) => a.map((v, axis) => v + part * (b[axis] - v));
       for (let piece = 0; piece < pieces; ++piece) {
         const [from, to] = [cut(piece / pieces), cut((piece + 1) / pieces)];

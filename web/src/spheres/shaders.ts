@@ -78,7 +78,7 @@ in vec2 corner;
 in vec3 start, end;
 in float strength;
 in float thick;
-uniform float shrink, unit;
+uniform float shrink, unit, fine;
 flat out vec3 a, b;
 flat out float force, radius;
 out vec3 at;
@@ -86,7 +86,7 @@ void main() {
   a = turn * start;
   b = turn * end;
   force = strength;
-  radius = thick > 0. ? thick * shrink : strength < 0. ? .0026 * reach : unit * (.012 + .034 * min(strength, 5.));
+  radius = thick > 0. ? thick * shrink : strength < 0. ? fine : unit * (.012 + .034 * min(strength, 5.));
   vec3 here = corner.y < 0. ? a : b;
   vec3 to_eye = normalize(vec3(0., 0., eye) - here);
   vec3 along = b - a - to_eye * dot(b - a, to_eye);
