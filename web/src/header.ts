@@ -9,6 +9,11 @@ import { drawSpheres, spheresAspect } from "./spheres/picture";
 import { startLook } from "./spheres/view";
 import { pick } from "./frame_choice";
 
+/** A few numbers, or from where to where many go. */
+function spread(values: number[]): string {
+  return values.length > 3 ? `${Math.min(...values)} to ${Math.max(...values)}` : values.join(" or ");
+}
+
 function facts(study: Study): string[] {
   const runs = study.systems.reduce((sum, s) => sum + s.realisations, 0);
   const counts = [...new Set(study.systems.map((s) => s.options["grains.count"]))].filter((n) => n !== undefined);
@@ -16,7 +21,7 @@ function facts(study: Study): string[] {
   return [
     `${study.systems.length} system${study.systems.length === 1 ? "" : "s"}`,
     `${runs} realisation${runs === 1 ? "" : "s"}`,
-    ...(counts.length ? [`${counts.join(" or ")} grains each`] : []),
+    ...(counts.length ? [`${spread(counts.map(Number))} grains each`] : []),
     ...(dimensions.length ? [`${dimensions.join(" and ")} dimensions`] : []),
   ];
 }

@@ -51,8 +51,8 @@ Json many_block(const Results& results, const ManyChoice& choice);
 /// to all realisations pooled), per system; null for other systems.
 Json final_block(const Results& results);
 
-/// What the grains of each system are, from its stored frames: shape, sphericity, aspect ratio, volume and so on; null
-/// for discs and spheres.
+/// What the grains of each system are, from its stored frames, or from its options while it has none: shape,
+/// sphericity, aspect ratio, volume and so on; null for discs and spheres.
 Json shapes_block(const Results& results, const std::vector<PictureSource>& sources);
 
 /// What S3 prints, beside which such results are shown.

@@ -3,6 +3,7 @@
 
 #include "jamscape/geometry/cluster_shape.hpp"
 #include "jamscape/io/run_file.hpp"
+#include "jamscape/protocol/container.hpp"
 #include "jamscape/report/blocks.hpp"
 #include "jamscape/report/ensemble.hpp"
 #include "jamscape/report/shape_json.hpp"
@@ -82,11 +83,15 @@ Json shapes_block(const Results& results, const std::vector<PictureSource>& sour
   for (std::size_t s = 0; s < results.study.systems.size(); ++s) systems.push_back(nullptr);
   bool any = false;
   for (const PictureSource& source : sources) {
-    if (source.all.empty()) continue;
-    const RunFile run(source.folder.run_file());
+    const SystemOptions& options = results.study.systems[source.task.system].options;
+    std::vector<ClusterShape> found;
+    if (!source.all.empty())
+      found = RunFile(source.folder.run_file()).shapes();
+    else if (options.grains.shape != BodyShape::ball)
+      found = {grain_shape(options)};
+    if (found.empty()) continue;
     Json shapes = Json::array();
-    for (const ClusterShape& shape : run.shapes()) shapes.push_back(facts_json(shape));
-    if (shapes.empty()) continue;
+    for (const ClusterShape& shape : found) shapes.push_back(facts_json(shape));
     systems[source.task.system] = std::move(shapes);
     any = true;
   }

@@ -18,13 +18,17 @@ Json option_value(const Option& option) {
   return print_value(option);
 }
 
-/// Options of a system by key. The width of a size distribution that has none is 0.
+/// Options of a system by key, without those that say nothing of it. The width of a size distribution that has none is
+/// 0.
 Json options_json(SystemOptions system) {
   Json out = Json::object();
   for (const Option& option : system_options(system)) {
     if (std::holds_alternative<std::vector<double>*>(option.target)) continue;
     out[option.key] = option_value(option);
   }
+  if (system.grains.shape == BodyShape::ball || system.grains.shape == BodyShape::sphere ||
+      system.grains.shape == BodyShape::custom)
+    out.erase("grains.aspect");
   if (system.grains.sizes == SizeLaw::monodisperse) out["grains.width"] = 0;
   if (system.grains.sizes == SizeLaw::bidisperse) out.erase("grains.width");
   for (const StageOptions& stage : system.stages)

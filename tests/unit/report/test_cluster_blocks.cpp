@@ -90,6 +90,7 @@ TEST_F(ClusterBlocks, ASystemWhoseTaskIsNotThereHasNoPictures) {
   results.study.systems[0].options.grains.count = 41;  // another task than the one stored
   const auto sources = choose_pictures(results);
   EXPECT_TRUE(sources[0].frames.empty());
+  EXPECT_EQ(shapes_block(results, sources)["systems"][0][0]["name"], "cross");  // as its options say
   EXPECT_EQ(sources[1].frames.size(), 3u);
 }
 

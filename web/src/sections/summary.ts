@@ -89,6 +89,11 @@ function unitsOf(context: Context): string | null {
   });
   const few = systems.length <= 6;
   const listed = [...times].map(([time, names]) => (times.size > 1 && few ? `${time} (${names.join(", ")})` : time));
+  if (context.data.shapes)
+    return (
+      `Results are in units of the diameter of an arm, <i>d</i> = ${withUnit(known.length, "m")}, the mass ` +
+      `<i>m</i> = ${withUnit(1000 * known.mass, "g")} and the time ${listed.join(", ")}.`
+    );
   return (
     `Results are in units of the mean diameter <i>d</i> = ${withUnit(known.length, "m")}, the mean mass ` +
     `<i>m</i> = ${withUnit(1000 * known.mass, "g")} and the collision time <i>τ</i><sub>c</sub> = ` +
@@ -109,8 +114,8 @@ export const summary: Section = {
         ? [
             note(
               "Walls stop before a state is measured, until the kinetic energy hardly fluctuates or is negligible beside the " +
-                "elastic energy. A state that came to neither within its budget is not relaxed: the table counts these, and " +
-                "hollow points (○) mark them in all curves.",
+                "elastic energy. A state that came to neither within its budget is not relaxed: the table counts " +
+                `these${context.data.frames ? ", and hollow points (○) mark them in all curves" : ""}.`,
             ),
           ]
         : []),
