@@ -31,7 +31,7 @@ class Stars:
         self.engine, self.folder, self.archive = engine, folder, folder / "stars.h5"
         self.setup = json.loads(command([engine, "start"]))
         self.count, self.steps_per_second = len(self.setup["bodies"]), STEPS_PER_SECOND
-        self.variables = {name: self.setup[name] for name in VARIABLES} | {"reach": self.setup["aspect"] + 1}
+        self.variables = {name: self.setup[name] for name in VARIABLES} | {"reach": self.setup["aspect"] + 1, "spheres": SPHERES}
         for script in SCRIPTS.glob("stars_*.in"):
             (folder / script.name).write_text(script.read_text())
         if not self.archive.is_file():
