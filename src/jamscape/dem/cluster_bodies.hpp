@@ -1,6 +1,6 @@
 // The bodies of a simulation of clusters, in memory: numbers by who touches them. Bodies are kept in spatial order, the
-// arms of a body one after another; `id` says who is who. Two far-away bodies with an arm each fill up the last block
-// of arm pairs; they are counted nowhere.
+// arms of a body one after another; `id` says who is who. Two far-away arms fill up the last block of arm
+// pairs; they are counted nowhere.
 //
 //   body row, 128 bytes   x y z mass | vx vy vz 0 | wx wy wz reach | qw qx qy qz
 //   arm row, 64 bytes     cx cy cz r | ux uy uz h          in the world's frame, made anew in every step
