@@ -5,7 +5,7 @@ import type { Data, Estimate } from "./data";
 import { jammingOf, jammingSymbol } from "./data";
 import { h } from "./dom";
 import type { State } from "./state";
-import { clusterLabels, kindsOf, shapeRanks } from "./kinds";
+import { clusterLabels, dashesOf, shapeRanks } from "./kinds";
 import { systemLabel } from "./symbols";
 import { assignColours, paletteColour, shapeColour, systemColour, systemDash } from "./theme";
 
@@ -30,10 +30,9 @@ export class Context {
     this.labels = clusterLabels(data) ?? data.study.systems.map((system) => systemLabel(data.study, system));
     // Shapes in the order of their arms; systems of one shape in several containers share its colour.
     const ranks = shapeRanks(data);
-    const kinds = kindsOf(data);
-    const kindOf = (k: number) => Math.max(kinds.findIndex((kind) => kind.systems.includes(k)), 0);
+    const dashes = dashesOf(data);
     if (new Set(ranks).size > 1)
-      assignColours(ranks.map((rank, k) => ({ colour: rank === null ? paletteColour(k) : shapeColour(rank), dash: kindOf(k) })));
+      assignColours(ranks.map((rank, k) => ({ colour: rank === null ? paletteColour(k) : shapeColour(rank), dash: dashes[k] })));
   }
 
   /** The label of a system after its colour. */

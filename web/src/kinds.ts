@@ -4,6 +4,7 @@ import { shapeOf } from "./data";
 import { escape } from "./dom";
 import { plain } from "./numbers";
 import { optionSymbol, optionValue } from "./symbols";
+import { systemDash } from "./theme";
 
 /** Options that say what the grains are; the others that differ make the kind. */
 const GRAINS = /^grains\./;
@@ -27,32 +28,60 @@ function container(study: Study, system: System): string {
   return `slab <i>T</i> = ${thickness === 1 ? "" : `${plain(thickness)} `}<i>L</i>${wide}`;
 }
 
+/** Options that tell apart systems of one shape in one sort of container; of several that go together the first. */
+function othersOf(data: Data): string[] {
+  const known = others.get(data) ?? findOthers(data);
+  others.set(data, known);
+  return known;
+}
+
+const others = new WeakMap<Data, string[]>();
+
+function findOthers(data: Data): string[] {
+  const { study } = data;
+  const keys = study.swept.filter((key) => !GRAINS.test(key) && !CONTAINER.includes(key) && !DERIVED.includes(key));
+  const kept: string[] = [];
+  const known = study.systems.map((system, k) => [container(study, system), JSON.stringify(shapeOf(data, k)?.arms)]);
+  for (const key of keys) {
+    const seen = new Map<string, unknown>();
+    const differs = study.systems.some((system, k) => {
+      const rest = JSON.stringify([...known[k], ...kept.map((one) => system.swept[one])]);
+      const before = seen.has(rest) && seen.get(rest) !== system.swept[key];
+      seen.set(rest, system.swept[key]);
+      return before;
+    });
+    if (differs) kept.push(key);
+  }
+  return kept;
+}
+
+/** The values of these options; empty where there are none. */
+function othersLabel(data: Data, system: number): string {
+  const { swept } = data.study.systems[system];
+  return othersOf(data)
+    .filter((key) => key in swept)
+    .map((key) => `${optionSymbol(key)} = ${optionValue(swept[key])}`)
+    .join(", ");
+}
+
 export interface Kind {
   /** markup */
   label: string;
   dimension: number;
-  thickness: number;
   walls: string;
   /** from round to long arms */
   systems: number[];
 }
 
-/** The kinds that have systems of known shape, in the order of the study; empty where there are no clusters. */
-export function kindsOf(data: Data): Kind[] {
-  const { study } = data;
-  if (!data.shapes) return [];
+/** Systems of known shape sorted by a label, in the order of the study; empty where there are no clusters. */
+function sorted(data: Data, labelOf: (system: number) => string): Kind[] {
   const kinds = new Map<string, Kind>();
-  study.systems.forEach((system, k) => {
+  data.study.systems.forEach((system, k) => {
     if (!shapeOf(data, k)) return;
-    const others = study.swept
-      .filter((key) => !GRAINS.test(key) && !CONTAINER.includes(key) && !DERIVED.includes(key) && key in system.swept)
-      .filter((key) => study.systems.some((s) => s.swept[key] !== system.swept[key]))
-      .map((key) => `${optionSymbol(key)} = ${optionValue(system.swept[key])}`);
-    const label = [container(study, system), ...others].join(", ");
+    const label = labelOf(k);
     const kind = kinds.get(label) ?? {
       label,
       dimension: number(system, "domain.dimension"),
-      thickness: number(system, "domain.thickness"),
       walls: String(system.options["domain.walls"]),
       systems: [],
     };
@@ -64,6 +93,18 @@ export function kindsOf(data: Data): Kind[] {
   return [...kinds.values()];
 }
 
+const containerLabel = (data: Data, system: number) => container(data.study, data.study.systems[system]);
+
+/** Of one container, in a panel of its own. */
+export function containersOf(data: Data): Kind[] {
+  return sorted(data, (k) => containerLabel(data, k));
+}
+
+/** What differs in nothing but the shape. */
+export function kindsOf(data: Data): Kind[] {
+  return sorted(data, (k) => [containerLabel(data, k), othersLabel(data, k)].filter(Boolean).join(", "));
+}
+
 /** "L/d = 3", or the name of a shape that has no arms of one length. */
 export function shapeLabel(data: Data, system: number): string {
   const shape = shapeOf(data, system);
@@ -72,14 +113,36 @@ export function shapeLabel(data: Data, system: number): string {
   return named ? `<i>L</i>/<i>d</i> = ${plain(shape.aspect)}` : escape(`${shape.name}s`);
 }
 
+/** What tells a system from others in the same container. */
+export function curveLabel(data: Data, system: number): string {
+  return [shapeLabel(data, system), othersLabel(data, system)].filter(Boolean).join(", ");
+}
+
+/** Kinds of line, by system: for the options that differ, or for the container where none does. */
+export function dashesOf(data: Data): number[] {
+  const labels = data.study.systems.map((_, k) => othersLabel(data, k));
+  const names = new Set(labels).size > 1 ? labels : data.study.systems.map((_, k) => containerLabel(data, k));
+  const different = [...new Set(names)];
+  return names.map((name) => different.indexOf(name));
+}
+
+/** Of the curves in one panel. */
+export function panelDash(data: Data, system: number): number[] | undefined {
+  return othersOf(data).length ? systemDash(system) : undefined;
+}
+
+/** What the kinds of line in a panel mean, in their order; empty where there is one. */
+export function dashLabels(data: Data): string[] {
+  return othersOf(data).length ? [...new Set(data.study.systems.map((_, k) => othersLabel(data, k)))] : [];
+}
+
 /** Labels of all systems by kind and shape, or null where two would be called the same. */
 export function clusterLabels(data: Data): string[] | null {
-  const kinds = kindsOf(data);
-  if (!kinds.length) return null;
+  if (!data.shapes) return null;
+  const containers = containersOf(data).length;
   const labels = data.study.systems.map((system, k) => {
-    const kind = kinds.find((one) => one.systems.includes(k));
-    if (!kind) return escape(system.name);
-    return kinds.length > 1 ? `${kind.label}, ${shapeLabel(data, k)}` : shapeLabel(data, k);
+    if (!shapeOf(data, k)) return escape(system.name);
+    return containers > 1 ? `${containerLabel(data, k)}, ${curveLabel(data, k)}` : curveLabel(data, k);
   });
   return new Set(labels).size === labels.length ? labels : null;
 }

@@ -3,8 +3,8 @@ import type { ChartOptions, Line } from "./chart/chart";
 import type { Context } from "./context";
 import { finalValue, shapeOf } from "./data";
 import { h, markup } from "./dom";
-import { kindsOf, type Kind } from "./kinds";
-import { paletteColour } from "./theme";
+import { dashLabels, kindsOf, type Kind } from "./kinds";
+import { INK, paletteColour } from "./theme";
 
 interface Key {
   /** markup */
@@ -17,6 +17,20 @@ interface Key {
 
 export interface Reference extends Key {
   line: Line;
+}
+
+const LINES = ["", "dashed", "dotted", "dashed"];
+
+/** What full, dashed and dotted lines mean; nothing where all are full. */
+export function dashKey(context: Context): HTMLElement[] {
+  const labels = dashLabels(context.data);
+  if (labels.length < 2) return [];
+  const entries = labels.map((label, k) => {
+    const sample = h("i", `sample ${LINES[k % LINES.length]}`);
+    sample.style.color = INK;
+    return h("span", "", sample, markup(label));
+  });
+  return [h("div", "line-key", ...entries)];
 }
 
 /** What lines and marks mean, below a chart. */

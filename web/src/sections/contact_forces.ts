@@ -3,8 +3,8 @@ import type { Line } from "../chart/chart";
 import type { Context, Section } from "../context";
 import type { FinalDistribution } from "../data";
 import { figure, h } from "../dom";
-import { kindsOf, shapeLabel, type Kind } from "../kinds";
-import { overSphericity, referenceKey, type Reference } from "../over_sphericity";
+import { containersOf, curveLabel, panelDash, type Kind } from "../kinds";
+import { dashKey, overSphericity, referenceKey, type Reference } from "../over_sphericity";
 
 const DARK = "#111827";
 const GREY = "#8b95a5";
@@ -21,7 +21,7 @@ export function densityLines(context: Context, data: FinalDistribution, kind: Ki
     // Empty bins end the curve rather than fall to the bottom of the axis.
     const mean = density.mean.map((v) => (v === 0 ? null : v));
     const line = context.line(k, frame.x, { mean, se: density.se });
-    return [{ ...line, label: shapeLabel(context.data, k), dash: undefined, width: 1.7, points: false, band: 0.12 }];
+    return [{ ...line, label: curveLabel(context.data, k), dash: panelDash(context.data, k), width: 1.7, points: false, band: 0.12 }];
   });
 }
 
@@ -33,7 +33,7 @@ export function densityPanels(
   references: Line[],
 ): HTMLElement | null {
   const data = context.data.finalDistribution(measure);
-  const kinds = kindsOf(context.data);
+  const kinds = containersOf(context.data);
   if (!data || !kinds.length) return null;
   const curves = kinds.map((kind) => densityLines(context, data, kind));
   const values = curves.flat().flatMap((line) => line.y.filter((v): v is number => v !== null));
@@ -53,7 +53,8 @@ export function densityPanels(
     });
     return [made.element];
   });
-  return panels.length ? h("div", kinds.length > 1 ? "grid two" : "", ...panels) : null;
+  if (!panels.length) return null;
+  return h("div", "", h("div", kinds.length > 1 ? "grid two" : "", ...panels), ...dashKey(context));
 }
 
 export const contactForces: Section = {

@@ -3,8 +3,9 @@ import type { Line } from "../chart/chart";
 import type { Context, Section } from "../context";
 import { finalValue, shapeOf, type FinalDistribution, type ShapeFacts } from "../data";
 import { figure, h, table } from "../dom";
-import { kindsOf, shapeLabel, type Kind } from "../kinds";
+import { containersOf, curveLabel, panelDash, type Kind } from "../kinds";
 import { plain, withError } from "../numbers";
+import { dashKey } from "../over_sphericity";
 
 /** Curves of one kind are shifted by this, as in S3. */
 const SHIFT = 2;
@@ -43,8 +44,8 @@ function curvesOf(context: Context, data: FinalDistribution, kind: Kind): Line[]
     const shape = shapeOf(context.data, k)!;
     lines.push({
       ...context.line(k, frame.x, g),
-      label: shapeLabel(context.data, k),
-      dash: undefined,
+      label: curveLabel(context.data, k),
+      dash: panelDash(context.data, k),
       width: 1.5,
       points: false,
       shift: base,
@@ -61,7 +62,7 @@ export const radial: Section = {
   title: "Neighbours",
   build(context) {
     const data = context.data.finalDistribution("radial_distribution");
-    const kinds = kindsOf(context.data);
+    const kinds = containersOf(context.data);
     if (!data || !kinds.length) return null;
     const panels = kinds.flatMap((kind) => {
       const lines = curvesOf(context, data, kind);
@@ -82,7 +83,7 @@ export const radial: Section = {
       return [made.element];
     });
     if (!panels.length) return null;
-    const curves = figure("", [h("div", panels.length > 1 ? "grid two" : "", ...panels)], {
+    const curves = figure("", [h("div", panels.length > 1 ? "grid two" : "", ...panels), ...dashKey(context)], {
         text:
           "How many grains lie at a distance from a grain, against a random arrangement of the same density; one curve per shape, " +
           "shifted upwards from long arms (below) to round grains. Marks under a curve are distances of the closest configurations " +
