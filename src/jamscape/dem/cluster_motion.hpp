@@ -2,11 +2,11 @@
 //
 // Positions and velocities: leapfrog, as for discs. Rotation: the angular momentum L in the world's frame is kicked by
 // the torque, then the body turns freely for dt:
-//   one moment of inertia   by w dt about w = L/I, exactly to order (w dt)^9, as the quaternion (1, w tan(|w|
-//   dt/2)/|w|) free top                by turns about its own axes x y z y x (half, half, full, half, half), each at
-//   the rate
-//                           L_e/I_e of that axis; symmetric and symplectic, second order, L kept [Dullweber,
-//                           Leimkuhler, McLachlan 1997; Miller et al. 2002]
+//
+//   one moment of inertia   about w = L/I, as the quaternion (1, w tan(|w| dt/2)/|w|), good to order (w dt)^9
+//   free top                about its own axes x y z y x in turn, for dt (1/2, 1/2, 1, 1/2, 1/2), each at the rate
+//                           L_e/I_e of that axis: symmetric, symplectic, second order, L kept [dullweber1997]
+//
 // The quaternion is normalised in every step.
 #pragma once
 

@@ -5,7 +5,7 @@
 //
 // The last step changes s where t was clamped and gives the same s where it was not. A segment of h = 0 is a point.
 // Parallel segments: every s of the stretch they share is a minimum, and one of them comes out; the distance is right.
-// Source: Lumelsky 1985; theory sec. 3.
+// Source: lumelsky1985; theory sec. 3.
 #pragma once
 
 #include "jamscape/geometry/cluster.hpp"
