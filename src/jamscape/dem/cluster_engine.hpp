@@ -9,8 +9,8 @@
 //
 // Integration: leapfrog of positions and velocities, and of orientations and angular momenta in the world's frame, so
 // that momentum and angular momentum are kept to round-off. Bodies of one moment of inertia (spheres, stars) and all
-// bodies in the plane turn by their spin; others by the symmetric splitting into turns about their own axes [dullweber1997],
-// of second order, whose energy does not drift.
+// bodies in the plane turn by their spin; others by the symmetric splitting into turns about their own axes
+// [dullweber1997], of second order, whose energy does not drift.
 //
 // Lengths in d (diameter of an arm), masses in m, times in tau_c; any consistent units will do.
 #pragma once
