@@ -8,6 +8,7 @@
 #include "jamscape/base/nearest.hpp"
 #include "jamscape/observe/measure.hpp"
 #include "jamscape/study/study.hpp"
+#include "jamscape/study/transition_kinds.hpp"
 
 namespace jam::app {
 namespace {
@@ -25,6 +26,8 @@ ExitCode list_all(const std::vector<KnownOption>& options) {
   for (const KnownOption& o : options) fmt::print("  {:30} {}\n", o.key, o.meta.text);
   fmt::print("\nMeasures:\n");
   for (const Measure& m : measures()) fmt::print("  {:30} {}\n", m.name, m.title);
+  fmt::print("\nOf all realisations of a system (ensemble/transitions.csv):\n");
+  for (const TransitionKind& t : transition_kinds()) fmt::print("  {:30} {}\n", t.name, t.text);
   return ExitCode::done;
 }
 
@@ -57,6 +60,13 @@ ExitCode explain(const std::string& key) {
     fmt::print("{}", jam::explain(m));
     found = true;
   }
+  for (const TransitionKind& t : transition_kinds()) {
+    known.emplace_back(t.name);
+    if (t.name != key) continue;
+    if (found) fmt::print("\n");
+    fmt::print("{}\n  {}\n  stands in ensemble/transitions.csv\n  source   {}\n", t.name, t.text, t.source);
+    found = true;
+  }
   if (found) return ExitCode::done;
   const std::string near = nearest(key, known);
   throw usage_error(fmt::format("nothing is known as '{}'", key), "jamscape explain",
@@ -66,9 +76,12 @@ ExitCode explain(const std::string& key) {
 }  // namespace
 
 void add_explain(CLI::App& program, Action& action) {
-  CLI::App* sub = program.add_subcommand("explain", "What an option or a measure means: unit, range, formula, source");
+  CLI::App* sub = program.add_subcommand(
+      "explain", "What an option, a measure or a transition means: unit, range, formula, source");
   auto key = std::make_shared<std::string>();
-  sub->add_option("key", *key, "an option (contact.friction), a measure or a column; everything is listed without it");
+  sub->add_option(
+      "key", *key,
+      "an option (contact.friction), a measure, a column, a transition (rho_c); everything is listed without it");
   sub->callback([key, &action] { action = [key] { return explain(*key); }; });
 }
 

@@ -9,7 +9,7 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/study/study.hpp"
 #include "jamscape/study/toml_leaves.hpp"
-#include "jamscape/study/transitions.hpp"
+#include "jamscape/study/transition_kinds.hpp"
 
 namespace jam {
 namespace {
@@ -93,7 +93,9 @@ StateName read_state(std::string_view text, const std::string& place) {
     const std::size_t end = std::min(rest.find_first_of("+-"), rest.size());
     state.transition = rest.substr(0, end);
     rest.remove_prefix(end);
-    const auto& known = packing_fraction_transitions;
+    std::vector<std::string_view> known;
+    for (const TransitionKind& kind : transition_kinds())
+      if (kind.packing_fraction) known.push_back(kind.name);
     if (std::find(known.begin(), known.end(), state.transition) == known.end())
       throw usage_error(fmt::format("'{}' is no transition", state.transition), place,
                         fmt::format("one of {}", fmt::join(known, ", ")));

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "jamscape/study/transition_kinds.hpp"
 
 namespace jam {
 namespace {
@@ -112,6 +115,15 @@ TEST(Transitions, ARunThatNeverPercolatesHasNoOnset) {
   EXPECT_EQ(get(find_jamming(s, 1, "key"), "rho_p").n, 2u);
   s.value[3][0].back() = 0;
   EXPECT_EQ(get(find_jamming(s, 1, "key"), "rho_p").n, 1u) << "it must last to the end";
+}
+
+// Whatever is found has a sentence that `jamscape explain` can give.
+TEST(Transitions, AreAllExplained) {
+  const auto kinds = transition_kinds();
+  for (const Transition& t : find_jamming(jumping(), 1, "key")) {
+    const auto named = [&](const TransitionKind& k) { return k.name == t.quantity && !k.text.empty(); };
+    EXPECT_EQ(std::count_if(kinds.begin(), kinds.end(), named), 1) << t.quantity;
+  }
 }
 
 }  // namespace
