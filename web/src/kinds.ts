@@ -110,6 +110,7 @@ export function shapeLabel(data: Data, system: number): string {
   const shape = shapeOf(data, system);
   if (!shape) return escape(data.study.systems[system].name);
   const named = ["cross", "star", "rod"].includes(shape.name);
+  if (!named && shape.name === "custom") return escape(data.study.systems[system].name);
   return named ? `<i>L</i>/<i>d</i> = ${plain(shape.aspect)}` : escape(`${shape.name}s`);
 }
 
