@@ -29,7 +29,9 @@ std::vector<double> values(const Snapshot& s) {
           t.peak.position,
           t.peak.prominence,
           t.peak.error,
-          t.type_a() ? 1.0 : 0.0};
+          t.type_a() ? 1.0 : 0.0,
+          t.bend.value,
+          t.bend.error};
 }
 
 }  // namespace
@@ -38,13 +40,13 @@ Measure force_tail_measure() {
   Measure m = seldom_measure(
       {"force_tail", "tail and shape of the distribution of contact forces",
        "From P(f) of the measure contact_force_distribution. tail_k: P = A exp(-k f) by unweighted least squares on "
-       "the "
-       "bins with centre > 1 (a fit without the prefactor A, as printed, would give .9 where this gives 1.25); "
+       "the bins with centre > 1 (a fit without the prefactor A, as printed, would give .9 where this gives 1.25); "
        "tail_k_loglinear: a line through ln P of those that are not empty; tail_k_mle = 1/(<f> - 1) over f > 1. The "
        "three differ by .1 on one and the same law. Mueth: P = a (1 - b exp(-f^2)) exp(-beta f), Gaussian: P = h "
-       "exp(-(f "
-       "- c)^2/(2 w^2)), both by least squares on all bins. The peak is the highest bin beyond f = .3, its prominence "
-       "the height above the lowest bin before it; type A where that exceeds twice its counting error, else type B.",
+       "exp(-(f - c)^2/(2 w^2)), both by least squares on all bins. The peak is the highest bin beyond f = .3, its "
+       "prominence "
+       "the height above the lowest bin before it; type A where that exceeds twice its counting error, else type B. "
+       "bend: c of ln P = a + b f + c f^2 on .2 < f < 2.",
        "S3 Eqs. 1, 2, Figs. 1, 5, 6; theory sec. 4"},
       {{"tail_k", "", "k by least squares with a free prefactor"},
        {"tail_k_error", "", "its standard error, from the residuals of this fit"},
@@ -62,7 +64,10 @@ Measure force_tail_measure() {
        {"peak_position", "<F_n>", "centre of the peak's bin"},
        {"peak_prominence", "1/<F_n>", "P at the peak less P of the lowest bin before it"},
        {"peak_prominence_error", "1/<F_n>", "its counting error"},
-       {"type_a", "", "1 where the peak stands out by more than two errors, 0 where P(f) is of type B"}},
+       {"type_a", "", "1 where the peak stands out by more than two errors, 0 where P(f) is of type B"},
+       {"bend", "1/<F_n>^2",
+        "curvature of ln P near the mean: below 0 with a peak or a shoulder, 0 for an exponential"},
+       {"bend_error", "1/<F_n>^2", "its counting error"}},
       values);
   m.ratios = {{"tail_k_mle_pooled", "tail_contacts", "tail_excess", "k by maximum likelihood over all realisations"}};
   return m;

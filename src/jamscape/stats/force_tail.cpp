@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/stats/least_squares.hpp"
 
 namespace jam {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFirstBins = 0.3;       // mean forces; a maximum up to here is the end of a curve that falls from 0
-constexpr double kErrorsToStandOut = 2;  // the highest of many equal bins is some 2 errors above the lowest
+constexpr double kFirstBins = 0.3;  // mean forces; a maximum up to here is the end of a curve that falls from 0
+constexpr double kBendFrom = 0.2, kBendTo = 2;  // around the mean, away from the tail and from f = 0
+constexpr double kErrorsToStandOut = 2;         // the highest of many equal bins is some 2 errors above the lowest
 
 void check(std::span<const double> centre, std::span<const double> count, std::span<const double> norm) {
   if (centre.size() != count.size() || centre.size() != norm.size())
@@ -41,12 +43,35 @@ ForcePeak force_peak(std::span<const double> centre, std::span<const double> cou
   return result;
 }
 
+Estimate force_bend(std::span<const double> centre, std::span<const double> count, std::span<const double> norm) {
+  check(centre, count, norm);
+  // Normal equations of the parabola; ln P has the variance 1/count.
+  double moments[5] = {}, right[3] = {};
+  std::size_t bins = 0;
+  for (std::size_t k = 0; k < centre.size(); ++k) {
+    if (!(centre[k] > kBendFrom && centre[k] < kBendTo && count[k] > 0)) continue;
+    const double y = std::log(ratio(count[k], norm[k]));
+    double power = count[k];
+    for (std::size_t n = 0; n < 5; ++n, power *= centre[k]) {
+      moments[n] += power;
+      if (n < 3) right[n] += power * y;
+    }
+    ++bins;
+  }
+  if (bins < 4) return {none, none, bins};
+  const double* m = moments;
+  const std::vector<double> matrix{m[0], m[1], m[2], m[1], m[2], m[3], m[2], m[3], m[4]};
+  const std::vector<double> parabola = solve_linear(matrix, {right, right + 3}), unit = solve_linear(matrix, {0, 0, 1});
+  if (parabola.empty() || unit.empty()) return {none, none, bins};
+  return {parabola[2], std::sqrt(unit[2]), bins};
+}
+
 ForceTail force_tail(std::span<const double> centre, std::span<const double> count, std::span<const double> norm) {
   check(centre, count, norm);
   std::vector<double> density(centre.size());
   for (std::size_t k = 0; k < centre.size(); ++k) density[k] = ratio(count[k], norm[k]);
   return {tail_exponent(centre, density), tail_exponent_loglinear(centre, density), fit_mueth(centre, density),
-          fit_gaussian(centre, density), force_peak(centre, count, norm)};
+          fit_gaussian(centre, density),  force_peak(centre, count, norm),          force_bend(centre, count, norm)};
 }
 
 }  // namespace jam

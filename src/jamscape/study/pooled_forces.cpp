@@ -67,6 +67,7 @@ void add_forces(const Histograms& h, std::vector<Transition>& found) {
   add("peak_position_pooled", none, [](const ForceTail& t) { return t.peak.position; });
   found.push_back({"peak_prominence_pooled", n, pooled.peak.prominence, pooled.peak.error});
   found.push_back({"type_a_pooled", n, pooled.type_a() ? 1.0 : 0.0, none});
+  found.push_back({"bend_pooled", n, pooled.bend.value, pooled.bend.error});
   add("mueth_a_pooled", none, [](const ForceTail& t) { return t.mueth.a; });
   add("mueth_b_pooled", none, [](const ForceTail& t) { return t.mueth.b; });
   add("mueth_beta_pooled", none, [](const ForceTail& t) { return t.mueth.beta; });

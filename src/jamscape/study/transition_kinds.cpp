@@ -31,6 +31,10 @@ constexpr TransitionKind kinds[] = {
     {"peak_prominence_pooled", "P there less P of the lowest bin before it; counting error", "S3 Fig. 5"},
     {"type_a_pooled", "1 where that peak stands out by more than two errors (type A), 0 where P(f) is of type B",
      "S3 Fig. 1"},
+    {"bend_pooled",
+     "c of ln P = a + b f + c f^2 on .2 < f < 2: below 0 where P(f) has a peak or a shoulder, 0 for an exponential; "
+     "counting error",
+     "theory sec. 4"},
     {"mueth_a_pooled", "a of Mueth's law a (1 - b exp(-f^2)) exp(-beta f) fitted to P(f)", "S3 Eq. 1"},
     {"mueth_b_pooled", "b of Mueth's law", "S3 Eq. 1"},
     {"mueth_beta_pooled", "beta of Mueth's law", "S3 Eq. 1"},

@@ -168,6 +168,8 @@ TEST(Registry, HasTheColumnsThatTablesAndReportsRelyOn) {
                            "peak_position",
                            "peak_prominence",
                            "type_a",
+                           "bend",
+                           "bend_error",
                            "rdf_peak1",
                            "rdf_peak1_error",
                            "rdf_peak3",

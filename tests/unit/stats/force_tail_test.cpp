@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/stats/moments.hpp"
 #include "samples.hpp"
 
 namespace jam {
@@ -101,6 +102,32 @@ TEST(ForceTail, APeakBeyondADipIsFoundWhereItIs) {
   EXPECT_NEAR(peak.error, std::sqrt((c.density[5] + valley) / (0.2 * 1e5)), 1e-12);
   const Counts few = of_law(dip_and_bump, 20);
   EXPECT_FALSE(force_peak(few.centre, few.count, few.norm).stands_out);  // 20 values are no evidence
+}
+
+TEST(ForceTail, TheBendIsTheCurvatureOfTheLogarithm) {
+  const auto bend = [](const Counts& c) { return force_bend(c.centre, c.count, c.norm); };
+  const Estimate bell = bend(of_law([](double f) { return std::exp(-2 * (f - 1) * (f - 1)); }, 1e4));
+  EXPECT_NEAR(bell.value, -2, 1e-9);
+  EXPECT_EQ(bell.n, 9u) << "bins at .3 to 1.9";
+  EXPECT_NEAR(bend(of_law([](double f) { return std::exp(-1.3 * f); }, 1e4)).value, 0, 1e-9);
+  EXPECT_GT(bend(of_law([](double f) { return std::exp(-2 * std::sqrt(f)); }, 1e4)).value, 0);
+  const Estimate shoulder = bend(of_law([](double f) { return density(MuethLaw{}, f); }, 1e4));
+  EXPECT_LT(shoulder.value, -4 * shoulder.error) << "Mueth's law has a shoulder and no peak";
+}
+
+TEST(ForceTail, TheErrorOfTheBendIsItsScatter) {
+  std::vector<double> bends;
+  double stated = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Random random(seed, "bend", 0, "forces");
+    std::vector<double> sample(4000);
+    for (double& f : sample) f = exponential(random);
+    const Counts c = counts(sample);
+    const Estimate e = force_bend(c.centre, c.count, c.norm);
+    bends.push_back(e.value), stated += e.error / 100;
+  }
+  EXPECT_NEAR(moments(bends).sd / stated, 1, 0.25);
+  EXPECT_NEAR(moments(bends).mean, 0, 0.3 * stated);
 }
 
 TEST(ForceTail, OfNothingIsMissing) {
