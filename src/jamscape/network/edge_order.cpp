@@ -31,7 +31,7 @@ void EdgeOrder::sort(std::span<const double> weight) {
     for (std::size_t e = 0; e < n; ++e) items_[e] = e;
     std::sort(items_.begin(), items_.end(), heavier);
   } else {
-    sort_leading_bits(weight);
+    n < kLarge ? sort_leading_bits<2>(weight) : sort_leading_bits<3>(weight);
   }
   for (std::size_t r = 0; r < n; ++r) {
     if (r + kAhead < n) __builtin_prefetch(&weight[edge(r + kAhead)]);
@@ -51,17 +51,21 @@ void EdgeOrder::sort(std::span<const double> weight) {
   }
 }
 
+template <unsigned passes>
 void EdgeOrder::sort_leading_bits(std::span<const double> weight) {
-  const unsigned passes = weight.size() < kLarge ? 2 : 3;
   const std::uint64_t most = (std::uint64_t{1} << std::min(32u, kBits * passes)) - 1;
-  const auto [low, high] = std::minmax_element(weight.begin(), weight.end());
+  double low = weight[0], high = weight[0];
+  for (const double w : weight) {
+    low = std::min(low, w);
+    high = std::max(high, w);
+  }
   // Difference, product and truncation are monotonic, so unequal leading bits order two weights correctly.
-  double scale = static_cast<double>(most) / (*high - *low);
-  if (!std::isfinite(scale) || !std::isfinite(*high - *low)) scale = 0;
+  double scale = static_cast<double>(most) / (high - low);
+  if (!std::isfinite(scale) || !std::isfinite(high - low)) scale = 0;
 
-  std::array<std::array<std::uint32_t, kBuckets>, 3> places{};
+  std::array<std::array<std::uint32_t, kBuckets>, passes> places{};
   for (std::size_t e = 0; e < weight.size(); ++e) {
-    const auto leading = static_cast<std::uint64_t>((weight[e] - *low) * scale);
+    const auto leading = static_cast<std::uint64_t>((weight[e] - low) * scale);
     const auto item = (most - std::min(leading, most)) << 32 | e;
     items_[e] = item;
     for (unsigned pass = 0; pass < passes; ++pass) ++places[pass][digit(item, pass)];

@@ -22,6 +22,7 @@ class EdgeOrder {
   double weight(std::size_t rank) const { return std::bit_cast<double>(spare_[rank]); }
 
  private:
+  template <unsigned passes>
   void sort_leading_bits(std::span<const double> weight);
 
   std::vector<std::uint64_t> items_;  // leading bits of the weight, complemented | edge

@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "jamscape/base/error.hpp"
-#include "jamscape/network/edge_order.hpp"
+#include "jamscape/network/threshold_finder.hpp"
 #include "jamscape/network/union_find.hpp"
 #include "jamscape/network/validate.hpp"
 
@@ -25,15 +25,14 @@ class ShapeSum {
     edges_[vertices] += edges;
     used_[vertices / 64] |= std::uint64_t{1} << (vertices % 64);
   }
-  void take(std::uint32_t vertices, std::uint32_t edges) {
-    edges_[vertices] -= edges;
-    if (edges_[vertices] == 0) used_[vertices / 64] &= ~(std::uint64_t{1} << (vertices % 64));
-  }
-  double sum() const {
+  void add_edge(std::uint32_t vertices) { ++edges_[vertices]; }  // to a cluster that counts already
+  void take(std::uint32_t vertices, std::uint32_t edges) { edges_[vertices] -= edges; }
+  double sum() {
     double s = 0;
     for (std::size_t word = 0; word < used_.size(); ++word)
       for (auto bits = used_[word]; bits != 0; bits &= bits - 1) {
         const auto vertices = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
+        if (edges_[vertices] == 0) used_[word] ^= bits & (0 - bits);
         s += static_cast<double>(edges_[vertices]) / static_cast<double>(vertices);
       }
     return s;
@@ -41,7 +40,7 @@ class ShapeSum {
 
  private:
   std::vector<std::uint32_t> edges_;  // by number of vertices of the cluster
-  std::vector<std::uint64_t> used_;   // a bit for each entry that is not 0
+  std::vector<std::uint64_t> used_;   // a bit for each entry that may not be 0
 };
 
 struct Cluster {
@@ -61,6 +60,10 @@ class Tally {
   /// An edge has been added: within one cluster (kept == lost) or between two. `sides` are touched by it.
   void add_edge(std::uint32_t kept, std::uint32_t lost, Sides sides) {
     Cluster& c = clusters_[kept];
+    if (kept == lost && (c.sides | sides) == c.sides && c.edges > 0) {
+      ++c.edges;
+      return shapes_.add_edge(c.vertices);
+    }
     take(c);
     if (kept != lost) {
       const Cluster& other = clusters_[lost];
@@ -74,8 +77,13 @@ class Tally {
     put(c);
   }
 
-  ClusterLevel level() const {
-    ClusterLevel now = now_;
+  ClusterLevel level() {
+    ClusterLevel now;
+    now.clusters = static_cast<std::uint32_t>(count_[0]);
+    now.cluster_vertices = static_cast<std::uint32_t>(vertices_[0]);
+    now.percolating_clusters = static_cast<std::uint32_t>(count_[1]);
+    now.percolating_vertices = static_cast<std::uint32_t>(vertices_[1]);
+    for (std::size_t a = 0; a < 3; ++a) now.percolates[a] = (through_ >> (2 * a) & 1u) != 0;
     const auto all = now.clusters + now.percolating_clusters;
     if (all > 0) now.shape = shapes_.sum() / all;
     return now;
@@ -83,36 +91,57 @@ class Tally {
 
  private:
   void take(const Cluster& c) {
-    if (c.edges == 0) return;
+    const std::uint32_t there = c.edges > 0;  // a branch would be wrong too often
     const bool through = joined(c.sides) != 0;
-    --(through ? now_.percolating_clusters : now_.clusters);
-    (through ? now_.percolating_vertices : now_.cluster_vertices) -= c.vertices;
+    count_[through] -= there;
+    vertices_[through] -= there * c.vertices;
     shapes_.take(c.vertices, c.edges);
   }
   void put(const Cluster& c) {
     const unsigned axes = joined(c.sides);
-    for (std::size_t a = 0; axes != 0 && a < 3; ++a)
-      now_.percolates[a] = now_.percolates[a] || (axes >> (2 * a) & 1u) != 0;
-    ++(axes != 0 ? now_.percolating_clusters : now_.clusters);
-    (axes != 0 ? now_.percolating_vertices : now_.cluster_vertices) += c.vertices;
+    through_ |= axes;
+    ++count_[axes != 0];
+    vertices_[axes != 0] += c.vertices;
     shapes_.add(c.vertices, c.edges);
   }
 
   std::vector<Cluster> clusters_;  // by leader
   ShapeSum shapes_;
-  ClusterLevel now_;
+  std::array<std::uint32_t, 2> count_{}, vertices_{};  // of the clusters: those that do not percolate, those that do
+  unsigned through_ = 0;                               // axes along which some cluster percolates
 };
 
-/// `join(edge, tally)` adds one edge to the sets and the tally.
+/// Edges by the number of thresholds below their weight, in the order of their numbers where it is equal.
+struct EdgesByLevel {
+  std::vector<std::uint32_t> edge;
+  std::vector<std::uint32_t> begin;  // of each number of thresholds, and one more
+};
+
+EdgesByLevel sort_by_level(std::span<const double> weight, std::span<const double> thresholds) {
+  const ThresholdFinder finder(thresholds);
+  EdgesByLevel sorted;
+  sorted.begin.assign(thresholds.size() + 2, 0);
+  std::vector<std::uint32_t> passed(weight.size());
+  for (std::size_t e = 0; e < weight.size(); ++e) {
+    passed[e] = static_cast<std::uint32_t>(finder.passed<Level::above>(weight[e]));
+    ++sorted.begin[passed[e] + 1];
+  }
+  for (std::size_t k = 1; k < sorted.begin.size(); ++k) sorted.begin[k] += sorted.begin[k - 1];
+  std::vector<std::uint32_t> next(sorted.begin.begin(), sorted.begin.end() - 1);
+  sorted.edge.resize(weight.size());
+  for (std::size_t e = 0; e < weight.size(); ++e) sorted.edge[next[passed[e]]++] = static_cast<std::uint32_t>(e);
+  return sorted;
+}
+
+/// `join(edge, tally)` adds one edge to the sets and the tally. What a threshold sees does not depend on the order of
+/// the edges above it.
 template <class Join>
 std::vector<ClusterLevel> sweep(const WeightedGraph& graph, std::span<const double> thresholds, Tally tally,
                                 const Join& join) {
-  EdgeOrder order;
-  order.sort(graph.weight);
+  const EdgesByLevel sorted = sort_by_level(graph.weight, thresholds);
   std::vector<ClusterLevel> levels(thresholds.size());
-  std::size_t rank = 0;
   for (std::size_t k = thresholds.size(); k-- > 0;) {
-    for (; rank < order.size() && order.weight(rank) > thresholds[k]; ++rank) join(order.edge(rank), tally);
+    for (auto e = sorted.begin[k + 1]; e < sorted.begin[k + 2]; ++e) join(sorted.edge[e], tally);
     levels[k] = tally.level();
   }
   return levels;

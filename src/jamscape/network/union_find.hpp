@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace jam {
@@ -26,24 +25,23 @@ class UnionFind {
 
   /// The leader of a's set; shortens the path on its way (so not const).
   std::uint32_t find(std::uint32_t a) {
-    while (true) {
-      const auto up = parent_[a];
-      const auto upper = parent_[up];
-      if (up == upper) return up;
-      parent_[a] = upper;
-      a = upper;
-    }
+    // Nearly all paths have two steps at most. How many of them no processor could guess, so none is asked.
+    const auto up = parent_[a], upper = parent_[up], top = parent_[upper];
+    parent_[a] = top;
+    if (upper == top) return top;
+    for (a = top; parent_[a] != a; a = parent_[a]) parent_[a] = parent_[parent_[a]];
+    return a;
   }
 
-  /// `older(x, y)`: whether leader x outlives leader y.
+  /// `older(x, y)`: whether leader x outlives leader y; false where x = y.
   template <class Older>
   Merge unite(std::uint32_t a, std::uint32_t b, Older&& older) {
     a = find(a);
     b = find(b);
-    if (a == b) return {a, a};
-    if (older(b, a)) std::swap(a, b);
-    parent_[b] = a;
-    return {a, b};
+    const bool second = older(b, a);  // false where both are the same
+    const auto kept = second ? b : a, lost = second ? a : b;
+    parent_[lost] = kept;
+    return {kept, lost};
   }
 
   /// The smaller number is older.

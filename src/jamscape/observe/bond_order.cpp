@@ -1,5 +1,7 @@
 #include "jamscape/observe/bond_order.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -18,23 +20,19 @@ struct Bond {
   Phase six;
 };
 
-Bond bond(double x, double y) {
+/// The same phase for both ends of a bond, whose directions are opposite.
+Phase six_fold(double x, double y) {
   const double re2 = x * x - y * y, im2 = 2 * x * y;
   const double re3 = re2 * x - im2 * y, im3 = re2 * y + im2 * x;
-  const bool lower = y < 0 || (y == 0 && x < 0);
-  return {lower ? x - 1 : 1 - x, {re3 * re3 - im3 * im3, 2 * re3 * im3}};
+  return {re3 * re3 - im3 * im3, 2 * re3 * im3};
+}
+
+double order(double x, double y) {
+  const bool lower = (y < 0) | ((y == 0) & (x < 0));
+  return (1 - 2 * static_cast<double>(lower)) * (1 - x);
 }
 
 double cos_of_gap(const Bond& a, const Bond& b) { return a.six.re * b.six.re + a.six.im * b.six.im; }
-
-void sort_bonds(std::span<Bond> b) {  // a handful: insertion
-  for (std::size_t k = 1; k < b.size(); ++k) {
-    const Bond moved = b[k];
-    std::size_t at = k;
-    for (; at > 0 && moved.order < b[at - 1].order; --at) b[at] = b[at - 1];
-    b[at] = moved;
-  }
-}
 
 // The bonds of all grains, one grain after another.
 struct BondList {
@@ -58,40 +56,87 @@ BondList list_bonds(const Packing& packing, const Bonds& pairs) {
   std::vector<std::uint32_t> next(list.begin.begin(), list.begin.end() - 1);
   for (const std::uint32_t c : pairs.contact) {
     const Vec3 n = direction(packing, c);
-    list.bonds[next[packing.contacts.i[c]]++] = bond(n[0], n[1]);
-    list.bonds[next[static_cast<std::size_t>(packing.contacts.j[c])]++] = bond(-n[0], -n[1]);
+    const Phase six = six_fold(n[0], n[1]);
+    list.bonds[next[packing.contacts.i[c]]++] = {order(n[0], n[1]), six};
+    list.bonds[next[static_cast<std::size_t>(packing.contacts.j[c])]++] = {order(-n[0], -n[1]), six};
   }
   return list;
+}
+
+/// What one grain adds to the sums.
+struct GrainOrder {
+  double printed = 0, closed = 0, local = 0;
+  Phase mean;
+};
+
+GrainOrder order_of(std::span<const Bond> b) {  // sorted
+  const auto n = static_cast<double>(b.size());
+  double gaps = 0;
+  Phase sum = b[0].six;
+  for (std::size_t k = 1; k < b.size(); ++k) {
+    gaps += cos_of_gap(b[k - 1], b[k]);
+    sum.re += b[k].six.re;
+    sum.im += b[k].six.im;
+  }
+  return {gaps / (n - 1),
+          (gaps + cos_of_gap(b.back(), b.front())) / n,
+          std::sqrt(sum.re * sum.re + sum.im * sum.im) / n,
+          {sum.re / n, sum.im / n}};
+}
+
+/// Of a grain with N bonds: each goes to the place that the number of those before it gives, without a branch, as
+/// branches on random angles cost more than all else here.
+template <std::size_t N>
+GrainOrder order_of_few(const Bond* b) {
+  std::array<std::size_t, N> place{};
+  for (std::size_t k = 1; k < N; ++k)
+    for (std::size_t m = 0; m < k; ++m) {
+      const bool before = b[k].order < b[m].order;
+      place[m] += before;
+      place[k] += !before;
+    }
+  std::array<Bond, N> sorted;
+  for (std::size_t k = 0; k < N; ++k) sorted[place[k]] = b[k];
+  return order_of(std::span<const Bond, N>(sorted));
+}
+
+GrainOrder order_of_many(std::span<Bond> b) {
+  std::stable_sort(b.begin(), b.end(), [](const Bond& x, const Bond& y) { return x.order < y.order; });
+  return order_of(b);
+}
+
+/// Grains with N bonds, for one N after the other: so every loop has a known length.
+template <std::size_t N>
+void add_grains(const std::vector<std::uint32_t>& grains, const BondList& list, std::vector<GrainOrder>& orders) {
+  for (const std::uint32_t i : grains) orders[i] = order_of_few<N>(list.bonds.data() + list.begin[i]);
 }
 
 }  // namespace
 
 BondOrder bond_order(const Packing& packing, const Bonds& pairs) {
-  BondOrder sum;
   const std::size_t grains = pairs.grains.size();
-  if (grains == 0 || packing.dimension != 2) return sum;
+  if (grains == 0 || packing.dimension != 2) return {};
   BondList list = list_bonds(packing, pairs);
-  Phase all;
-  for (std::size_t i = 0; i < grains; ++i) {
-    const std::span<Bond> b(list.bonds.data() + list.begin[i], pairs.grains[i]);
-    if (b.size() < 2) continue;
-    sort_bonds(b);
-    const auto n = static_cast<double>(b.size());
-    double gaps = 0;
-    Phase mean = b[0].six;
-    for (std::size_t k = 1; k < b.size(); ++k) {
-      gaps += cos_of_gap(b[k - 1], b[k]);
-      mean.re += b[k].six.re;
-      mean.im += b[k].six.im;
-    }
-    sum.printed += gaps / (n - 1);
-    sum.closed += (gaps + cos_of_gap(b.back(), b.front())) / n;
-    sum.local += std::sqrt(mean.re * mean.re + mean.im * mean.im) / n;
-    all.re += mean.re / n;
-    all.im += mean.im / n;
+  std::array<std::vector<std::uint32_t>, 8> with;  // grains by number of bonds; 7: so many or more
+  for (std::uint32_t i = 0; i < grains; ++i) with[std::min(pairs.grains[i], 7u)].push_back(i);
+  std::vector<GrainOrder> orders(grains);
+  add_grains<2>(with[2], list, orders);
+  add_grains<3>(with[3], list, orders);
+  add_grains<4>(with[4], list, orders);
+  add_grains<5>(with[5], list, orders);
+  add_grains<6>(with[6], list, orders);
+  for (const std::uint32_t i : with[7]) orders[i] = order_of_many({list.bonds.data() + list.begin[i], pairs.grains[i]});
+  GrainOrder sum;
+  for (const GrainOrder& g : orders) {
+    sum.printed += g.printed;
+    sum.closed += g.closed;
+    sum.local += g.local;
+    sum.mean.re += g.mean.re;
+    sum.mean.im += g.mean.im;
   }
   const auto n = static_cast<double>(grains);
-  return {sum.printed / n, sum.closed / n, sum.local / n, std::sqrt(all.re * all.re + all.im * all.im) / n};
+  return {sum.printed / n, sum.closed / n, sum.local / n,
+          std::sqrt(sum.mean.re * sum.mean.re + sum.mean.im * sum.mean.im) / n};
 }
 
 Measure bond_order_measure() {

@@ -20,29 +20,50 @@ void check(const Packing& packing, std::size_t c) {
     throw data_error(fmt::format("contact {} is out of order", c), {}, "sort the contacts by (i, j, part_i, part_j)");
 }
 
+/// check() of all contacts at once: whether any is wrong.
+bool any_wrong(const Packing& packing) {
+  const Contacts& k = packing.contacts;
+  const auto grains = static_cast<std::int64_t>(packing.grains.size());
+  const auto walls = static_cast<std::int64_t>(packing.walls.size());
+  bool wrong = false;
+  std::int64_t last_i = -1, last_j = -walls;
+  for (std::size_t c = 0; c < k.size(); ++c) {
+    const std::int64_t i = k.i[c], j = k.j[c];
+    wrong |= (i >= grains) | (j >= grains) | (j < -walls) | ((j >= 0) & (j <= i));
+    wrong |= (i < last_i) | ((i == last_i) & (j < last_j));
+    last_i = i;
+    last_j = j;
+  }
+  return wrong;
+}
+
 }  // namespace
 
 Bonds find_bonds(const Packing& packing) {
   const Contacts& k = packing.contacts;
+  if (any_wrong(packing))
+    for (std::size_t c = 0; c < k.size(); ++c) check(packing, c);
   Bonds bonds;
   bonds.grains.assign(packing.grains.size(), 0);
   bonds.walls.assign(packing.grains.size(), 0);
-  bonds.contact.reserve(k.size());
+  bonds.contact.resize(k.size() + 1);
+  std::size_t count = 0;
+  std::int64_t last_i = -1, last_j = 0;  // the last bond; what touches is counted without a branch
   for (std::size_t c = 0; c < k.size(); ++c) {
-    check(packing, c);
-    if (!(k.overlap[c] >= 0)) continue;
     const std::uint32_t i = k.i[c];
-    if (k.j[c] < 0) {
-      ++bonds.walls[i];
-      ++bonds.wall_contacts;
-      continue;
-    }
-    const auto j = static_cast<std::uint32_t>(k.j[c]);
-    if (!bonds.contact.empty() && k.i[bonds.contact.back()] == i && k.j[bonds.contact.back()] == k.j[c]) continue;
-    bonds.contact.push_back(static_cast<std::uint32_t>(c));
-    ++bonds.grains[i];
-    ++bonds.grains[j];
+    const std::int32_t j = k.j[c];
+    const bool touches = k.overlap[c] >= 0, grain = j >= 0;
+    const bool bond = touches & grain & ((i != last_i) | (j != last_j));
+    bonds.contact[count] = static_cast<std::uint32_t>(c);
+    count += bond;
+    bonds.grains[i] += bond;
+    bonds.grains[grain ? static_cast<std::uint32_t>(j) : i] += bond;
+    bonds.walls[i] += touches & !grain;
+    bonds.wall_contacts += touches & !grain;
+    last_i = bond ? i : last_i;
+    last_j = bond ? j : last_j;
   }
+  bonds.contact.resize(count);
   return bonds;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace jam {
 namespace {
@@ -19,25 +20,28 @@ ForceNetwork force_network(const Packing& packing, const Bonds& bonds, const Mea
   WeightedGraph& g = net.graph;
   g.vertices = static_cast<std::uint32_t>(packing.grains.size());
   for (std::size_t i = 0; i < packing.grains.size(); ++i) net.grains += !options.remove_rattlers || !bonds.rattles(i);
-  for (auto* ids : {&g.from, &g.to, &net.contact}) ids->reserve(bonds.size());
-  net.force.reserve(bonds.size());
+  for (auto* ids : {&g.from, &g.to, &net.contact}) ids->resize(bonds.size() + 1);
+  net.force.resize(bonds.size() + 1);
+  std::size_t count = 0;
+  double sum = 0;
   for (const std::uint32_t c : bonds.contact) {
     const std::uint32_t i = k.i[c], j = static_cast<std::uint32_t>(k.j[c]);
     if (options.remove_rattlers && (bonds.rattles(i) || bonds.rattles(j))) continue;
-    g.from.push_back(i);
-    g.to.push_back(j);
-    net.contact.push_back(c);
-    net.force.push_back(edge_force(k, c, options.force));
+    const double f = edge_force(k, c, options.force);
+    g.from[count] = i;
+    g.to[count] = j;
+    net.contact[count] = c;
+    net.force[count] = f;
+    sum += f;
+    ++count;
   }
-  double sum = 0;
-  for (const double f : net.force) sum += f;
-  if (!net.force.empty()) net.mean_force = sum / static_cast<double>(net.force.size());
+  for (auto* ids : {&g.from, &g.to, &net.contact}) ids->resize(count);
+  net.force.resize(count);
+  if (count > 0) net.mean_force = sum / static_cast<double>(count);
   const double scale = net.mean_force > 0 ? 1 / net.mean_force : 0;
-  g.weight.resize(net.force.size());
-  for (std::size_t e = 0; e < net.force.size(); ++e) {
-    const double f = net.force[e] * scale;
-    g.weight[e] = options.clamp > 0 ? std::min(f, options.clamp) : f;
-  }
+  const double most = options.clamp > 0 ? options.clamp : std::numeric_limits<double>::infinity();
+  g.weight.resize(count);
+  for (std::size_t e = 0; e < count; ++e) g.weight[e] = std::min(net.force[e] * scale, most);
   return net;
 }
 

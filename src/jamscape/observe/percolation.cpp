@@ -12,9 +12,9 @@ namespace {
 std::vector<std::uint32_t> degrees(const WeightedGraph& graph) {
   std::vector<std::uint32_t> degree(graph.vertices, 0);
   for (std::size_t e = 0; e < graph.edges(); ++e) {
-    if (!(graph.weight[e] > 0)) continue;
-    ++degree[graph.from[e]];
-    ++degree[graph.to[e]];
+    const bool counts = graph.weight[e] > 0;
+    degree[graph.from[e]] += counts;
+    degree[graph.to[e]] += counts;
   }
   return degree;
 }

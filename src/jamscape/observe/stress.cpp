@@ -8,14 +8,17 @@ namespace jam {
 std::array<Vec3, 3> stress(const Packing& packing) {
   const Contacts& k = packing.contacts;
   const Grains& g = packing.grains;
-  std::array<Vec3, 3> sigma{};
+  Vec3 row_x{}, row_y{}, row_z{};
   for (std::size_t c = 0; c < k.size(); ++c) {
     const std::uint32_t i = k.i[c];
     const Vec3 f = k.tangential_force[c] - k.normal_force[c] * k.normal[c];
     const Vec3 arm = k.j[c] < 0 ? k.point[c] - g.position[i] : branch(packing, c);
-    for (int a = 0; a < 3; ++a) sigma[static_cast<std::size_t>(a)] += f[a] * arm;
+    row_x += f[0] * arm;
+    row_y += f[1] * arm;
+    row_z += f[2] * arm;
   }
   const double volume = box_volume(packing);
+  std::array<Vec3, 3> sigma{row_x, row_y, row_z};
   for (Vec3& row : sigma) row = (volume > 0 ? 1 / volume : 0.0) * row;
   return sigma;
 }

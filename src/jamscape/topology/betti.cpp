@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "jamscape/network/threshold_finder.hpp"
+
 namespace jam {
 namespace {
 
@@ -20,31 +22,41 @@ std::size_t betti(const Diagram& diagram, int dimension, double threshold, Level
   }));
 }
 
+namespace {
+
+/// `curve[k]` at sorted thresholds.
+template <Level level>
+std::vector<std::size_t> sorted_curve(const Diagram& diagram, int dimension, std::span<const double> sorted) {
+  const ThresholdFinder finder(sorted);
+  std::vector<std::size_t> ends(sorted.size() + 1,
+                                0);  // classes that are there for so many thresholds, from the lowest
+  for (const auto& p : diagram.pairs) {
+    if (p.dimension != dimension) continue;
+    ++ends[finder.passed<level>(p.birth)];
+    ends[finder.passed<level>(p.death)] -= !p.essential;  // and no longer there
+  }
+  for (std::size_t k = sorted.size(); k-- > 0;) ends[k] += ends[k + 1];
+  ends.erase(ends.begin());
+  return ends;
+}
+
+}  // namespace
+
 std::vector<std::size_t> betti_curve(const Diagram& diagram, int dimension, std::span<const double> thresholds,
                                      Level level) {
+  const auto at_sorted = [&](std::span<const double> sorted) {
+    return level == Level::at_least ? sorted_curve<Level::at_least>(diagram, dimension, sorted)
+                                    : sorted_curve<Level::above>(diagram, dimension, sorted);
+  };
+  if (std::is_sorted(thresholds.begin(), thresholds.end())) return at_sorted(thresholds);
   std::vector<std::size_t> order(thresholds.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return thresholds[a] < thresholds[b]; });
   std::vector<double> sorted;
   for (const std::size_t k : order) sorted.push_back(thresholds[k]);
-  // How many thresholds, from the lowest on, a cell of this value is there for.
-  const auto reach = [&](double value) {
-    const auto end = level == Level::at_least ? std::upper_bound(sorted.begin(), sorted.end(), value)
-                                              : std::lower_bound(sorted.begin(), sorted.end(), value);
-    return static_cast<std::size_t>(end - sorted.begin());
-  };
-  std::vector<std::size_t> born(sorted.size() + 1, 0), dead(sorted.size() + 1, 0);
-  for (const auto& p : diagram.pairs) {
-    if (p.dimension != dimension) continue;
-    ++born[reach(p.birth)];
-    if (!p.essential) ++dead[reach(p.death)];
-  }
+  const auto there = at_sorted(sorted);
   std::vector<std::size_t> curve(thresholds.size());
-  std::size_t there = 0;
-  for (std::size_t k = sorted.size(); k-- > 0;) {
-    there += born[k + 1] - dead[k + 1];
-    curve[order[k]] = there;
-  }
+  for (std::size_t k = 0; k < order.size(); ++k) curve[order[k]] = there[k];
   return curve;
 }
 

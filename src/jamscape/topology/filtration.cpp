@@ -8,6 +8,8 @@
 namespace jam {
 namespace {
 
+static_assert(kAtOnce == 1u << 31 && kUnpaired == ~0u && kUnpaired == (kNegative | 1u));
+
 constexpr std::uint32_t kAhead = 16;  // edges between asking the cache and using it: enough to hide main memory
 
 }  // namespace
@@ -18,22 +20,11 @@ void Filtration::build(const WeightedGraph& graph, int dimension) {
   if (dimension < 2) {
     validate(graph);
     cliques.clear();
-    sweep([](std::uint32_t, Ends, bool) {});
+    find_components();
     return;
   }
-  older_.reset(degree_, ends_);
-  const auto largest = std::max(2u, older_.max_degree());  // a clique of dimension k needs k edges at each vertex
-  CliqueBuilder builder(older_, ends_, std::min(static_cast<std::uint32_t>(dimension), largest), cliques);
-  sweep([&](std::uint32_t rank, Ends e, bool joins) {
-    if (rank + kAhead < edges()) older_.prefetch(ends_[rank + kAhead]);
-    if (rank + kAhead / 2 < edges()) older_.prefetch_neighbours(ends_[rank + kAhead / 2]);
-    builder.begin_edge(rank);
-    if (!joins) {
-      if (!older_.common(e, common_)) validate(graph);  // a repeated edge: throws, naming it
-      if (!common_.empty()) builder.add(common_);
-    }
-    older_.add(e, rank);
-  });
+  find_components();
+  find_cliques(graph, static_cast<std::uint32_t>(dimension));
 }
 
 void Filtration::release_search() {
@@ -59,23 +50,24 @@ void Filtration::rank_edges(const WeightedGraph& graph) {
   }
 }
 
-template <class Close>
-void Filtration::sweep(const Close& close) {
+// Whether an edge finds new vertices, or joins components, no processor could guess: what follows does not ask.
+void Filtration::find_components() {
   const auto n = edges();
-  vertices_.assign(degree_.size(), {kIsolated, kUnpaired});
-  entering_.clear();
+  const auto vertices = static_cast<std::uint32_t>(degree_.size());
+  vertices_.assign(vertices, {kIsolated, kUnpaired});
+  entering_.resize(std::size_t{vertices} + 1);
   edge_partner.resize(n);
-  sets_.reset(static_cast<std::uint32_t>(degree_.size()));
-  const auto older = [&](std::uint32_t a, std::uint32_t b) {
-    return vertices_[a].entry < vertices_[b].entry || (vertices_[a].entry == vertices_[b].entry && a < b);
-  };
+  sets_.reset(vertices);
+  const auto age = [&](std::uint32_t v) { return std::uint64_t{vertices_[v].entry} << 32 | v; };
+  const auto older = [&](std::uint32_t a, std::uint32_t b) { return age(a) < age(b); };
 
-  std::uint32_t first = 0;  // of the edges that weigh as much as the present one
-  std::size_t known = 0;    // vertices that entered before them
-  const auto order_newcomers = [&] {
-    if (entering_.size() > known + 1)
-      std::sort(entering_.begin() + static_cast<std::ptrdiff_t>(known), entering_.end());
-    known = entering_.size();
+  std::uint32_t first = 0;                               // of the edges that weigh as much as the present one
+  std::size_t known = 0, count = 0;                      // vertices that entered before those edges, and so far
+  const auto order_newcomers = [&](std::uint32_t end) {  // those of one edge are in order
+    if (end - first > 1)
+      std::sort(entering_.begin() + static_cast<std::ptrdiff_t>(known),
+                entering_.begin() + static_cast<std::ptrdiff_t>(count));
+    known = count;
   };
   for (std::uint32_t r = 0; r < n; ++r) {
     if (r + kAhead < n) {
@@ -85,21 +77,41 @@ void Filtration::sweep(const Close& close) {
       }
     }
     if (weight(r) != weight(first)) {
-      order_newcomers();
+      order_newcomers(r);
       first = r;
     }
-    const auto e = ends_[r];
-    for (const auto v : {e.a, e.b}) {
-      if (vertices_[v].entry != kIsolated) continue;
-      vertices_[v].entry = first;
-      entering_.push_back(v);
+    const auto [a, b] = ends_[r];
+    for (const auto v : {std::min(a, b), std::max(a, b)}) {
+      entering_[count] = v;
+      count += vertices_[v].entry == kIsolated;
+      vertices_[v].entry = std::min(vertices_[v].entry, first);
     }
-    const auto merge = sets_.unite(e.a, e.b, older);
-    if (merge.joined()) vertices_[merge.lost].partner = vertices_[merge.lost].entry == first ? r | kAtOnce : r;
-    edge_partner[r] = merge.joined() ? kNegative : kUnpaired;
-    close(r, e, merge.joined());
+    const auto merge = sets_.unite(a, b, older);
+    auto& lost = vertices_[merge.lost];
+    const std::uint32_t closes = !merge.joined();
+    lost.partner = r | static_cast<std::uint32_t>(lost.entry == first) << 31 | (0 - closes);
+    edge_partner[r] = kNegative | closes;
   }
-  order_newcomers();
+  order_newcomers(n);
+  entering_.resize(count);
+}
+
+void Filtration::find_cliques(const WeightedGraph& graph, std::uint32_t dimension) {
+  older_.reset(degree_, ends_);
+  const auto largest = std::max(2u, older_.max_degree());  // a clique of dimension k needs k edges at each vertex
+  CliqueBuilder builder(older_, ends_, std::min(dimension, largest), cliques);
+  const auto n = edges();
+  for (std::uint32_t r = 0; r < n; ++r) {
+    if (r + kAhead < n) older_.prefetch(ends_[r + kAhead]);
+    if (r + kAhead / 2 < n) older_.prefetch_neighbours(ends_[r + kAhead / 2]);
+    const auto e = ends_[r];
+    builder.begin_edge(r);
+    if ((edge_partner[r] != kNegative) & older_.may_share(e)) {
+      if (!older_.common(e, common_)) validate(graph);  // a repeated edge: throws, naming it
+      if (!common_.empty()) builder.add(common_);
+    }
+    older_.add(e, r);
+  }
 }
 
 std::uint32_t Filtration::youngest_edge(std::uint32_t dimension, std::uint32_t cell) const {

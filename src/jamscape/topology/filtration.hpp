@@ -59,9 +59,8 @@ class Filtration {
 
  private:
   void rank_edges(const WeightedGraph& graph);
-  void enter(std::uint32_t vertex, std::uint32_t rank);
-  template <class Close>
-  void sweep(const Close& close);
+  void find_components();
+  void find_cliques(const WeightedGraph& graph, std::uint32_t dimension);
 
   EdgeOrder order_;
   std::vector<Ends> ends_;             // by rank

@@ -53,8 +53,8 @@ std::uint32_t OlderGraph::linked(std::uint32_t x, std::uint32_t y) const {
 
 bool OlderGraph::common(Ends e, std::vector<CommonNeighbour>& found) const {
   found.clear();
+  if (!may_share(e)) return true;
   const auto both = vertices_[e.a].hashes & vertices_[e.b].hashes;
-  if ((both | (vertices_[e.a].hashes & hash(e.b))) == 0) return true;
   const bool swapped = around(e.a).size() > around(e.b).size();
   const auto few = around(swapped ? e.b : e.a), many = around(swapped ? e.a : e.b);
   const auto far = swapped ? e.a : e.b;
@@ -65,9 +65,7 @@ bool OlderGraph::common(Ends e, std::vector<CommonNeighbour>& found) const {
     if (many.size() > kHub) {
       other = linked_to_hub(far, n.vertex);
     } else {
-      for (const auto m : many) {
-        if (m.vertex == n.vertex) other = m.rank;
-      }
+      for (const auto m : many) other = m.vertex == n.vertex ? m.rank : other;
     }
     if (other == kNone) continue;
     found.push_back(swapped ? CommonNeighbour{n.vertex, other, n.rank} : CommonNeighbour{n.vertex, n.rank, other});

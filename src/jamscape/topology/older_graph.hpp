@@ -37,6 +37,11 @@ class OlderGraph {
     added_ = rank + 1;
   }
 
+  /// False where the two ends certainly have no common neighbour and are not linked.
+  bool may_share(Ends e) const {
+    return (vertices_[e.a].hashes & (vertices_[e.b].hashes | hash(e.b))) != 0;
+  }
+
   /// Vertices linked to both ends by edges added so far, by increasing number. False if the two ends are linked.
   bool common(Ends e, std::vector<CommonNeighbour>& found) const;
 
