@@ -15,6 +15,28 @@ constexpr std::size_t kAhead = 16;        // weights asked for before they are n
 
 std::size_t digit(std::uint64_t item, unsigned pass) { return (item >> (32 + kBits * pass)) & (kBuckets - 1); }
 
+struct Range {
+  double low, high;
+};
+
+/// Four at a time, so that none waits for the one before.
+Range range(std::span<const double> weight) {
+  std::array<double, 4> low, high;
+  low.fill(weight[0]);
+  high.fill(weight[0]);
+  std::size_t e = 0;
+  for (; e + 4 <= weight.size(); e += 4)
+    for (std::size_t k = 0; k < 4; ++k) {
+      low[k] = std::min(low[k], weight[e + k]);
+      high[k] = std::max(high[k], weight[e + k]);
+    }
+  for (; e < weight.size(); ++e) {
+    low[0] = std::min(low[0], weight[e]);
+    high[0] = std::max(high[0], weight[e]);
+  }
+  return {std::min({low[0], low[1], low[2], low[3]}), std::max({high[0], high[1], high[2], high[3]})};
+}
+
 }  // namespace
 
 void EdgeOrder::sort(std::span<const double> weight) {
@@ -54,18 +76,14 @@ void EdgeOrder::sort(std::span<const double> weight) {
 template <unsigned passes>
 void EdgeOrder::sort_leading_bits(std::span<const double> weight) {
   const std::uint64_t most = (std::uint64_t{1} << std::min(32u, kBits * passes)) - 1;
-  double low = weight[0], high = weight[0];
-  for (const double w : weight) {
-    low = std::min(low, w);
-    high = std::max(high, w);
-  }
+  const auto [low, high] = range(weight);
   // Difference, product and truncation are monotonic, so unequal leading bits order two weights correctly.
   double scale = static_cast<double>(most) / (high - low);
   if (!std::isfinite(scale) || !std::isfinite(high - low)) scale = 0;
 
   std::array<std::array<std::uint32_t, kBuckets>, passes> places{};
   for (std::size_t e = 0; e < weight.size(); ++e) {
-    const auto leading = static_cast<std::uint64_t>((weight[e] - low) * scale);
+    const auto leading = static_cast<std::uint64_t>(static_cast<std::int64_t>((weight[e] - low) * scale));
     const auto item = (most - std::min(leading, most)) << 32 | e;
     items_[e] = item;
     for (unsigned pass = 0; pass < passes; ++pass) ++places[pass][digit(item, pass)];

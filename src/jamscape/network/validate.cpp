@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "jamscape/base/error.hpp"
 
@@ -41,10 +41,14 @@ void validate_edges(const WeightedGraph& g) {
     throw data_error(fmt::format(
         "the graph is too large: {} vertices, {} edges; fewer than 2^31 of each can be handled", g.vertices, n));
   }
-  for (std::size_t e = 0; e < n; ++e) {
-    const bool ends = g.from[e] < g.vertices && g.to[e] < g.vertices && g.from[e] != g.to[e];
-    if (!ends || !(g.weight[e] >= 0) || !std::isfinite(g.weight[e])) explain(g, e);
-  }
+  const auto wrong = [&](std::size_t e) {
+    const bool ends = (g.from[e] < g.vertices) & (g.to[e] < g.vertices) & (g.from[e] != g.to[e]);
+    return !(ends & (g.weight[e] >= 0) & (g.weight[e] <= std::numeric_limits<double>::max()));
+  };
+  bool any = false;  // all at once, as none is expected
+  for (std::size_t e = 0; e < n; ++e) any |= wrong(e);
+  for (std::size_t e = 0; any; ++e)
+    if (wrong(e)) explain(g, e);
 }
 
 void validate(const WeightedGraph& g) {

@@ -67,14 +67,6 @@ Bonds find_bonds(const Packing& packing) {
   return bonds;
 }
 
-Vec3 branch(const Packing& packing, std::size_t c) {
-  const Contacts& k = packing.contacts;
-  Vec3 l = packing.grains.position[static_cast<std::size_t>(k.j[c])] - packing.grains.position[k.i[c]];
-  for (int a = 0; a < 3; ++a)
-    l[a] += k.image[c][static_cast<std::size_t>(a)] * (packing.domain.hi[a] - packing.domain.lo[a]);
-  return l;
-}
-
 Vec3 normal_force_of_pair(const Contacts& contacts, std::size_t c) {
   Vec3 sum{};
   for (; c < contacts.size(); c = next_of_pair(contacts, c))

@@ -29,14 +29,20 @@ Bonds find_bonds(const Packing& packing);
 
 /// The next contact of the pair that contact c belongs to, or the number of contacts.
 inline std::size_t next_of_pair(const Contacts& contacts, std::size_t c) {
-  const std::size_t next = c + 1;
-  return next < contacts.size() && contacts.i[next] == contacts.i[c] && contacts.j[next] == contacts.j[c]
+  const std::size_t next = c + 1;  // its j differs nearly always, its i may or may not: j first
+  return next < contacts.size() && contacts.j[next] == contacts.j[c] && contacts.i[next] == contacts.i[c]
              ? next
              : contacts.size();
 }
 
 /// From the centre of the first body of contact c to that of the second, the copy that touches; two grains only.
-Vec3 branch(const Packing& packing, std::size_t c);
+inline Vec3 branch(const Packing& packing, std::size_t c) {
+  const Contacts& k = packing.contacts;
+  Vec3 l = packing.grains.position[static_cast<std::size_t>(k.j[c])] - packing.grains.position[k.i[c]];
+  for (int a = 0; a < 3; ++a)
+    l[a] += k.image[c][static_cast<std::size_t>(a)] * (packing.domain.hi[a] - packing.domain.lo[a]);
+  return l;
+}
 
 /// Force on the first body of a pair, summed over its contacts from contact c on: normal parts only, or all of it.
 Vec3 normal_force_of_pair(const Contacts& contacts, std::size_t c);

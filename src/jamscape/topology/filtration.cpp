@@ -20,9 +20,11 @@ void Filtration::build(const WeightedGraph& graph, int dimension) {
   if (dimension < 2) {
     validate(graph);
     cliques.clear();
+    order_vertices();
     find_components();
     return;
   }
+  order_vertices();
   find_components();
   find_cliques(graph, static_cast<std::uint32_t>(dimension));
 }
@@ -31,6 +33,7 @@ void Filtration::release_search() {
   older_ = {};
   sets_ = {};
   degree_ = {};
+  place_ = {};
 }
 
 void Filtration::rank_edges(const WeightedGraph& graph) {
@@ -51,49 +54,66 @@ void Filtration::rank_edges(const WeightedGraph& graph) {
 }
 
 // Whether an edge finds new vertices, or joins components, no processor could guess: what follows does not ask.
-void Filtration::find_components() {
+void Filtration::order_vertices() {
+  constexpr std::uint32_t nowhere = 0xFFFFFFFFu;
   const auto n = edges();
-  const auto vertices = static_cast<std::uint32_t>(degree_.size());
-  vertices_.assign(vertices, {kIsolated, kUnpaired});
-  entering_.resize(std::size_t{vertices} + 1);
-  edge_partner.resize(n);
-  sets_.reset(vertices);
-  const auto age = [&](std::uint32_t v) { return std::uint64_t{vertices_[v].entry} << 32 | v; };
-  const auto older = [&](std::uint32_t a, std::uint32_t b) { return age(a) < age(b); };
-
-  std::uint32_t first = 0;                               // of the edges that weigh as much as the present one
-  std::size_t known = 0, count = 0;                      // vertices that entered before those edges, and so far
-  const auto order_newcomers = [&](std::uint32_t end) {  // those of one edge are in order
-    if (end - first > 1)
-      std::sort(entering_.begin() + static_cast<std::ptrdiff_t>(known),
-                entering_.begin() + static_cast<std::ptrdiff_t>(count));
+  place_.assign(degree_.size(), nowhere);
+  vertices_.resize(degree_.size() + 1);
+  std::uint32_t first = 0;             // of the edges that weigh as much as the present one
+  std::uint32_t known = 0, count = 0;  // vertices that entered before those edges, and so far
+  const auto order_newcomers = [&](std::uint32_t end) {
+    if (end - first > 1) {  // those of a single edge are in order
+      std::sort(vertices_.begin() + known, vertices_.begin() + count,
+                [](const Vertex& x, const Vertex& y) { return x.name < y.name; });
+      for (auto k = known; k < count; ++k) place_[vertices_[k].name] = k;
+    }
     known = count;
+    first = end;
   };
   for (std::uint32_t r = 0; r < n; ++r) {
     if (r + kAhead < n) {
-      for (const auto v : {ends_[r + kAhead].a, ends_[r + kAhead].b}) {
-        __builtin_prefetch(&vertices_[v], 1);
-        sets_.prefetch(v);
-      }
+      __builtin_prefetch(&place_[ends_[r + kAhead].a], 1);
+      __builtin_prefetch(&place_[ends_[r + kAhead].b], 1);
     }
-    if (weight(r) != weight(first)) {
-      order_newcomers(r);
-      first = r;
-    }
+    if (weight(r) != weight(first)) order_newcomers(r);
     const auto [a, b] = ends_[r];
     for (const auto v : {std::min(a, b), std::max(a, b)}) {
-      entering_[count] = v;
-      count += vertices_[v].entry == kIsolated;
-      vertices_[v].entry = std::min(vertices_[v].entry, first);
+      auto& place = place_[v];
+      vertices_[count] = {v, first, kUnpaired};
+      const bool fresh = place == nowhere;
+      place = std::min(place, count);
+      count += fresh;
     }
-    const auto merge = sets_.unite(a, b, older);
-    auto& lost = vertices_[merge.lost];
-    const std::uint32_t closes = !merge.joined();
-    lost.partner = r | static_cast<std::uint32_t>(lost.entry == first) << 31 | (0 - closes);
-    edge_partner[r] = kNegative | closes;
   }
   order_newcomers(n);
-  entering_.resize(count);
+  vertices_.resize(count);
+  isolated_.clear();
+  for (std::uint32_t v = 0; count + isolated_.size() < place_.size(); ++v)
+    if (place_[v] == nowhere) isolated_.push_back(v);
+}
+
+void Filtration::find_components() {
+  const auto n = edges();
+  edge_partner.resize(n);
+  sets_.reset(static_cast<std::uint32_t>(vertices_.size()));
+  std::uint32_t first = 0;  // of the edges that weigh as much as the present one
+  for (std::uint32_t r = 0; r < n; ++r) {
+    if (r + kAhead < n) {
+      __builtin_prefetch(&place_[ends_[r + kAhead].a]);
+      __builtin_prefetch(&place_[ends_[r + kAhead].b]);
+    }
+    if (r + kAhead / 2 < n) {
+      sets_.prefetch(place_[ends_[r + kAhead / 2].a]);
+      sets_.prefetch(place_[ends_[r + kAhead / 2].b]);
+    }
+    first = weight(r) == weight(first) ? first : r;
+    const auto merge = sets_.unite(place_[ends_[r].a], place_[ends_[r].b]);
+    auto& lost = vertices_[merge.lost];
+    const std::uint32_t closes = !merge.joined();
+    const auto partner = r | static_cast<std::uint32_t>(lost.entry == first) << 31 | (0 - closes);
+    lost.partner = partner;
+    edge_partner[r] = kNegative | closes;
+  }
 }
 
 void Filtration::find_cliques(const WeightedGraph& graph, std::uint32_t dimension) {

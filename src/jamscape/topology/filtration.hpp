@@ -24,11 +24,10 @@ namespace jam {
 
 class Filtration {
  public:
-  static constexpr std::uint32_t kIsolated = 0xFFFFFFFFu;
-
+  /// A vertex that has edges.
   struct Vertex {
-    std::uint32_t
-        entry;  ///< rank of the first edge of the vertex's value (any vertex of that edge has it); or kIsolated
+    std::uint32_t name;     ///< in the graph
+    std::uint32_t entry;    ///< rank of the first edge of the vertex's value (any vertex of that edge has it)
     std::uint32_t partner;  ///< the edge that ends its component, or kUnpaired
   };
 
@@ -44,9 +43,10 @@ class Filtration {
   double weight(std::uint32_t rank) const { return order_.weight(rank); }
   Ends ends(std::uint32_t rank) const { return ends_[rank]; }
 
-  const std::vector<Vertex>& vertices() const { return vertices_; }
   /// Vertices that have edges, in the order in which they enter.
-  const std::vector<std::uint32_t>& entering() const { return entering_; }
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  /// The others, by increasing number.
+  const std::vector<std::uint32_t>& isolated() const { return isolated_; }
 
   /// The youngest edge of a cell of dimension >= 1: its value is that edge's weight.
   std::uint32_t youngest_edge(std::uint32_t dimension, std::uint32_t cell) const;
@@ -59,15 +59,17 @@ class Filtration {
 
  private:
   void rank_edges(const WeightedGraph& graph);
+  void order_vertices();
   void find_components();
   void find_cliques(const WeightedGraph& graph, std::uint32_t dimension);
 
   EdgeOrder order_;
   std::vector<Ends> ends_;             // by rank
   std::vector<std::uint32_t> degree_;  // by vertex
+  std::vector<std::uint32_t> place_;   // by vertex: index into vertices_
   std::vector<Vertex> vertices_;
-  std::vector<std::uint32_t> entering_;
-  UnionFind sets_;
+  std::vector<std::uint32_t> isolated_;
+  UnionFind sets_;  // by place: the smaller is older
   OlderGraph older_;
   std::vector<CommonNeighbour> common_;
 };

@@ -34,12 +34,11 @@ class Writer {
   }
 
   /// The cells that begin a class, without a branch: no processor could guess it. Makes room for their pairs.
-  template <class PartnerOf, class CellAt>
-  void choose(std::size_t cells, const PartnerOf& partner_of, const CellAt& cell_at, std::size_t more) {
+  template <class PartnerOf>
+  void choose(std::size_t cells, const PartnerOf& partner_of, std::size_t more) {
     chosen_.resize(cells + 1);
     std::size_t count = 0;
-    for (std::size_t i = 0; i < cells; ++i) {
-      const std::uint32_t cell = cell_at(i);
+    for (std::uint32_t cell = 0; cell < cells; ++cell) {
       chosen_[count] = cell;
       count += begins(partner_of(cell));
     }
@@ -61,16 +60,13 @@ class Writer {
   }
 
   void components() {
-    const auto& entering = cells_.entering();
-    const auto vertices = static_cast<std::uint32_t>(cells_.vertices().size());
+    const auto& vertices = cells_.vertices();
+    const auto& isolated = cells_.isolated();
     choose(
-        entering.size(), [&](std::uint32_t v) { return cells_.vertices()[v].partner; },
-        [&](std::size_t i) { return entering[i]; }, vertices - entering.size());
-    for (const auto v : chosen_) add(0, cells_.vertices()[v].entry, v, cells_.vertices()[v].partner);
-    if (vertices == entering.size()) return;
-    for (std::uint32_t v = 0; v < vertices; ++v) {
-      if (cells_.vertices()[v].entry == Filtration::kIsolated) diagram_.pairs.push_back({0, 0, 0, true, v, -1});
-    }
+        vertices.size(), [&](std::uint32_t i) { return vertices[i].partner; }, isolated.size());
+    for (const auto i : chosen_) add(0, vertices[i].entry, vertices[i].name, vertices[i].partner);
+    if (isolated.empty()) return;
+    for (const auto v : isolated) diagram_.pairs.push_back({0, 0, 0, true, v, -1});
     const auto zero = std::partition_point(diagram_.pairs.begin(), diagram_.pairs.end(),
                                            [](const PersistencePair& p) { return p.birth > 0; });
     std::sort(zero, diagram_.pairs.end(), [](const auto& p, const auto& q) { return p.birth_cell < q.birth_cell; });
@@ -78,8 +74,7 @@ class Writer {
 
   void classes(int dimension, const std::vector<std::uint32_t>& partner) {
     choose(
-        partner.size(), [&](std::uint32_t c) { return partner[c]; },
-        [](std::size_t i) { return static_cast<std::uint32_t>(i); }, 0);
+        partner.size(), [&](std::uint32_t c) { return partner[c]; }, 0);
     for (const auto c : chosen_) {
       const auto from = cells_.youngest_edge(static_cast<std::uint32_t>(dimension), c);
       add(dimension, from, dimension == 1 ? cells_.edge(c) : c, partner[c]);
