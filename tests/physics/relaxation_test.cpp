@@ -71,6 +71,26 @@ SystemOptions climbing(int dimension) {
   return s;
 }
 
+// A packing that swings as a whole has no kinetic energy at its turning points.
+TEST(Relaxation, an_average_does_not_take_a_turning_point_for_rest) {
+  const auto samples_to_the_end = [](double average) {
+    Relaxation r({.window = 1500, .fluctuation = 0, .energy = 1e-3, .windows = 40, .energy_average = average});
+    int n = 0;
+    for (; r.ended().empty(); ++n) {
+      const double swing = std::sin(0.1 * (n + 1)) * std::exp(-1e-3 * n);
+      r.add_sample(swing * swing, 1);
+    }
+    return std::pair(n, r.ended());
+  };
+  const auto [one, why_one] = samples_to_the_end(0);
+  const auto [mean, why_mean] = samples_to_the_end(0.25);
+  EXPECT_EQ(why_one, relaxed_energy);
+  EXPECT_EQ(why_mean, relaxed_energy);
+  EXPECT_LT(one, 1000) << "at a turning point";
+  EXPECT_GT(mean, 2800) << "where exp(-2e-3 n)/2 is a thousandth: n = 3107";
+  EXPECT_LT(mean, 3400);
+}
+
 TEST(Steps, stand_on_a_grid_that_ends_at_the_last_packing_fraction) {
   const Timetable t = timetable(climbing(2), {1, "grid", 0});
   std::vector<double> relaxed;

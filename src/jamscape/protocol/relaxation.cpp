@@ -26,12 +26,23 @@ bool Relaxation::still() const {
   return std::sqrt(square / static_cast<double>(per_window_)) <= options_.fluctuation * mean;
 }
 
+/// Is the kinetic energy of the last samples negligible?
+bool Relaxation::negligible(double elastic) const {
+  const auto wanted =
+      std::max<std::int64_t>(1, std::llround(options_.energy_average * static_cast<double>(per_window_)));
+  if (taken_ < wanted) return false;
+  double mean = 0;
+  for (std::int64_t k = taken_ - wanted; k < taken_; ++k)
+    mean += kinetic_[static_cast<std::size_t>(k % per_window_)] / static_cast<double>(wanted);
+  return mean < options_.energy * (elastic > 0 ? elastic : first_);
+}
+
 void Relaxation::add_sample(double kinetic, double elastic) {
   if (taken_ == 0) first_ = kinetic;
   const bool looked_at_elastic = wants_elastic();
   kinetic_[static_cast<std::size_t>(taken_ % per_window_)] = kinetic;
   ++taken_;
-  if (kinetic == 0 || (looked_at_elastic && kinetic < options_.energy * (elastic > 0 ? elastic : first_)))
+  if (kinetic == 0 || (looked_at_elastic && negligible(elastic)))
     ended_ = relaxed_energy;
   else if (taken_ >= per_window_ && still())
     ended_ = relaxed_fluctuation;

@@ -32,6 +32,7 @@ class Relaxation {
 
  private:
   bool still() const;
+  bool negligible(double elastic) const;
 
   RelaxOptions options_;
   std::int64_t interval_, per_window_;  ///< steps between samples; samples in a window

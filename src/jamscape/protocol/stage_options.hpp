@@ -32,6 +32,7 @@ struct RelaxOptions {
   double fluctuation = 0.1;
   double energy = 1e-10;
   double windows = 10;
+  double energy_average = 0;
 
   template <class V>
   void describe(V& v) {
@@ -52,6 +53,12 @@ struct RelaxOptions {
               .min = 0,
               .max = 1,
               .source = "theory 1, note g"});
+    v.option(
+        "relax_energy_average", energy_average,
+        {.text = "relax: part of a window over which the kinetic energy is averaged for relax_energy; 0: one sample, "
+                 "which a packing that swings as a whole passes at every turning point",
+         .min = 0,
+         .max = 1});
     v.option("relax_windows", windows,
              {.text = "relax: ends after so many windows at the latest; such a frame is marked as not relaxed",
               .min = 0,
