@@ -16,7 +16,10 @@ const ForceNetwork& Snapshot::network() const {
 }
 
 const Diagram& Snapshot::diagram() const {
-  if (!diagram_) diagram_ = persistence(network().graph, {.max_dimension = packing_.dimension - 1});
+  if (diagram_) return *diagram_;
+  const PersistenceOptions wanted{.max_dimension = packing_.dimension - 1};
+  const WeightedGraph& graph = network().graph;
+  diagram_ = memory_ != nullptr ? persistence(graph, wanted, *memory_) : persistence(graph, wanted);
   return *diagram_;
 }
 

@@ -119,10 +119,11 @@ std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measu
 
   std::vector<std::string> texts;
   for (const Measure* m : missing) texts.push_back(header(*m));
+  PersistenceWorkspace memory;
   for (std::size_t frame = 0; frame < run.frames(); ++frame) {
     if (stop && stop()) return 0;
     const Packing packing = run.frame(frame);
-    const Snapshot snapshot(packing, options);
+    const Snapshot snapshot(packing, options, &memory);
     for (std::size_t k = 0; k < missing.size(); ++k)
       append_rows(*missing[k], missing[k]->evaluate(snapshot), frame, texts[k]);
   }

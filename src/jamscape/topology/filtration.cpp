@@ -10,7 +10,8 @@ namespace {
 
 static_assert(kAtOnce == 1u << 31 && kUnpaired == ~0u && kUnpaired == (kNegative | 1u));
 
-constexpr std::uint32_t kAhead = 16;  // edges between asking the cache and using it: enough to hide main memory
+/// Edges between asking the cache and using it: enough to hide main memory. Small networks are in the cache: never.
+std::uint32_t ahead_of(std::uint32_t edges) { return edges < 1u << 15 ? edges : 16; }
 
 }  // namespace
 
@@ -44,10 +45,11 @@ void Filtration::rank_edges(const WeightedGraph& graph) {
     ++degree_[graph.to[e]];
   }
   ends_.resize(edges());
+  const auto ahead = ahead_of(edges());
   for (std::uint32_t r = 0; r < edges(); ++r) {
-    if (r + kAhead < edges()) {
-      __builtin_prefetch(&graph.from[edge(r + kAhead)]);
-      __builtin_prefetch(&graph.to[edge(r + kAhead)]);
+    if (r + ahead < edges()) {
+      __builtin_prefetch(&graph.from[edge(r + ahead)]);
+      __builtin_prefetch(&graph.to[edge(r + ahead)]);
     }
     ends_[r] = {graph.from[edge(r)], graph.to[edge(r)]};
   }
@@ -70,10 +72,11 @@ void Filtration::order_vertices() {
     known = count;
     first = end;
   };
+  const auto ahead = ahead_of(n);
   for (std::uint32_t r = 0; r < n; ++r) {
-    if (r + kAhead < n) {
-      __builtin_prefetch(&place_[ends_[r + kAhead].a], 1);
-      __builtin_prefetch(&place_[ends_[r + kAhead].b], 1);
+    if (r + ahead < n) {
+      __builtin_prefetch(&place_[ends_[r + ahead].a], 1);
+      __builtin_prefetch(&place_[ends_[r + ahead].b], 1);
     }
     if (weight(r) != weight(first)) order_newcomers(r);
     const auto [a, b] = ends_[r];
@@ -97,14 +100,13 @@ void Filtration::find_components() {
   edge_partner.resize(n);
   sets_.reset(static_cast<std::uint32_t>(vertices_.size()));
   std::uint32_t first = 0;  // of the edges that weigh as much as the present one
+  const auto ahead = ahead_of(n);
   for (std::uint32_t r = 0; r < n; ++r) {
-    if (r + kAhead < n) {
-      __builtin_prefetch(&place_[ends_[r + kAhead].a]);
-      __builtin_prefetch(&place_[ends_[r + kAhead].b]);
-    }
-    if (r + kAhead / 2 < n) {
-      sets_.prefetch(place_[ends_[r + kAhead / 2].a]);
-      sets_.prefetch(place_[ends_[r + kAhead / 2].b]);
+    if (r + ahead < n) {
+      __builtin_prefetch(&place_[ends_[r + ahead].a]);
+      __builtin_prefetch(&place_[ends_[r + ahead].b]);
+      sets_.prefetch(place_[ends_[r + ahead / 2].a]);
+      sets_.prefetch(place_[ends_[r + ahead / 2].b]);
     }
     first = weight(r) == weight(first) ? first : r;
     const auto merge = sets_.unite(place_[ends_[r].a], place_[ends_[r].b]);
@@ -121,9 +123,12 @@ void Filtration::find_cliques(const WeightedGraph& graph, std::uint32_t dimensio
   const auto largest = std::max(2u, older_.max_degree());  // a clique of dimension k needs k edges at each vertex
   CliqueBuilder builder(older_, ends_, std::min(dimension, largest), cliques);
   const auto n = edges();
+  const auto ahead = ahead_of(n);
   for (std::uint32_t r = 0; r < n; ++r) {
-    if (r + kAhead < n) older_.prefetch(ends_[r + kAhead]);
-    if (r + kAhead / 2 < n) older_.prefetch_neighbours(ends_[r + kAhead / 2]);
+    if (r + ahead < n) {
+      older_.prefetch(ends_[r + ahead]);
+      older_.prefetch_neighbours(ends_[r + ahead / 2]);
+    }
     const auto e = ends_[r];
     builder.begin_edge(r);
     if ((edge_partner[r] != kNegative) & older_.may_share(e)) {
