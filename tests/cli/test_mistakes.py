@@ -46,6 +46,41 @@ class Mistakes(Case):
                            "damping rule cannot reach",
                            arguments=arguments)
 
+    def test_clusters_that_cannot_be(self):
+        def of(shape, walls="box", more=""):
+            return f"""[study]
+name = "bad"
+
+[grains]
+count = 50
+{shape}
+
+[domain]
+walls = "{walls}"
+width = 10
+gravity = 0.002
+
+[contact]
+law = "ratio"
+
+[[stage]]
+name = "fall"
+kind = "settle"
+{more}"""
+        arm = "0, 0, 0, 1, 0, 0, 3, 1"
+        for arguments in ((), ("--dry-run",)):
+            def complaint(text, *parts):
+                self.complaint(text, *parts, arguments=arguments)
+            complaint(of('shape = "star"'), "bad.toml:6:1", "a star does not lie in a plane")
+            complaint(of('shape = "custom"\narms = [1, 2]'), "bad.toml:7:1", "grains.arms has 2 numbers; an arm has 8")
+            complaint(of(f'shape = "custom"\narms = [{arm}, 9, 9, 0, 1, 0, 0, 3, 1]'), "bad.toml:7:1", "not one body")
+            complaint(of('shape = "custom"\narms = [0, 0, 0, 1, 0, 0, 0.5, 1]'), "bad.toml:7:1", "shorter (0.5) than thick")
+            complaint(of('shape = "cross"', "flat"), "bad.toml:6:1", "clusters are for containers")
+            complaint(of('shape = "cross"').replace("gravity = 0.002", ""), "bad.toml:18:1", "without gravity")
+            complaint(of('shape = "cross"', more='[[stage]]\nkind = "press"\nname = "lid"\n'), "stage.lid.force")
+            complaint(of('shape = "cross"').replace('"ratio"', '"hertz"\ndamping_ratio = 0.2'), "bad.toml:15:1",
+                      "no constant damping ratio")
+
     def test_unknown_name(self):
         self.complaint(STUDY.replace('"gear5"', '"gear"'), "bad.toml:11:10", '"verlet", "gear5"', "gear5")
 

@@ -59,7 +59,12 @@ ClusterShape grain_shape(const SystemOptions& system) {
     case BodyShape::custom:
       break;
   }
-  return custom_shape(read_arms(system.grains.arms), static_cast<int>(system.domain.dimension));
+  try {
+    return custom_shape(read_arms(system.grains.arms), static_cast<int>(system.domain.dimension));
+  } catch (const Error& e) {
+    if (e.problem().starts_with("grains.arms")) throw;
+    throw usage_error("grains.arms: " + e.problem(), {}, e.suggestion());
+  }
 }
 
 Container container(const SystemOptions& system, const ClusterShape& shape, const std::vector<double>& scales) {

@@ -144,7 +144,7 @@ class ContainerWriter {
     if (stage.kind == StageKind::settle) {
       const double g = system_.domain.gravity;
       if (!(g > 0))
-        throw usage_error("stage." + name + ": nothing settles without gravity", {}, "domain.gravity = \"9.81 m/s^2\"");
+        throw usage_error("stage." + name + ".kind: nothing settles without gravity", {}, "domain.gravity = \"9.81 m/s^2\"");
       const double time = stage.settle_times * std::sqrt(2 * height_ / g);
       leg.steps = steps_for(time, dt);
       if (stage.settle_until == SettleUntil::rest) {

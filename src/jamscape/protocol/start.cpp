@@ -108,7 +108,7 @@ StartBox start_box(const SystemOptions& system, const std::vector<double>& diame
 }
 
 void check_start(const SystemOptions& system) {
-  if (system.contact.damping == DampingRule::printed) {  // the others reach every restitution
+  if (system.contact.damping == DampingRule::printed || system.contact.damping_ratio >= 0) {  // others always can be
     grain_law(system.contact, 1.0);
     wall_law(system.contact, 1.0);
   }
