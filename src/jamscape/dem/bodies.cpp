@@ -25,7 +25,7 @@ void Bodies<D>::resize(std::size_t grain_count, std::size_t bead_count, bool wit
   const std::size_t all = count() + 2;
   rows.assign(all * R::stride, 0.0);
   forces.assign(all * R::force_stride, 0.0);
-  inverse.assign(all * R::force_stride, 0.0);
+  inverse.assign(all * 2, 0.0);
   derivatives.assign(with_derivatives ? all * 12 * R::motions : 0, 0.0);
   id.resize(grains);
   std::iota(id.begin(), id.end(), 0u);
@@ -39,7 +39,7 @@ template <int D>
 void Bodies<D>::reorder(const std::vector<std::uint32_t>& order) {
   permute(rows, Row<D>::stride, order);
   permute(forces, Row<D>::force_stride, order);
-  permute(inverse, Row<D>::force_stride, order);
+  permute(inverse, 2, order);
   permute(derivatives, 12 * Row<D>::motions, order);
   permute(id, 1, order);
   permute(mass, 1, order);

@@ -17,7 +17,7 @@ struct Bodies {
   Aligned<double> rows;    ///< see Row<D>
   Aligned<double> forces;  ///< cleared by the integrator
   // warm: read by the integrator once a step
-  Aligned<double> inverse;      ///< inverse inertias, laid out like forces
+  Aligned<double> inverse;      ///< 1/m and 1/I of each body
   Aligned<double> derivatives;  ///< Gear only: acceleration, jerk, snap a motion
   // cold
   std::vector<std::uint32_t> id;  ///< of grains; beads have id = index
@@ -32,6 +32,8 @@ struct Bodies {
     for (int c = 0; c < D; ++c) x[c] = row(k)[c];
     return x;
   }
+  double inverse_mass(std::size_t k) const { return inverse[2 * k]; }
+  double inverse_inertia(std::size_t k) const { return inverse[2 * k + 1]; }
   double radius(std::size_t k) const { return row(k)[Row<D>::radius]; }
 
   /// Makes room for the given numbers of grains and beads, all zero, and places the dummies.

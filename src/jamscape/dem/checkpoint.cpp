@@ -39,13 +39,25 @@ void take(const Archive& archive, const std::string& name, Array& to, bool same_
   for (std::size_t k = 0; k < from.size(); ++k) to[k] = static_cast<typename Array::value_type>(from[k]);
 }
 
+/// Inverse inertias laid out like forces, as checkpoints hold them.
+template <int D>
+std::vector<double> as_rows(const Bodies<D>& bodies) {
+  std::vector<double> out(bodies.forces.size(), 0.0);
+  for (std::size_t k = 0; k < bodies.count(); ++k) {
+    double* row = out.data() + k * Row<D>::force_stride;
+    for (std::size_t c = 0; c < D; ++c) row[c] = bodies.inverse_mass(k);
+    for (std::size_t c = 0; c < (D == 2 ? 1 : 3); ++c) row[(D == 2 ? 2 : 4) + c] = bodies.inverse_inertia(k);
+  }
+  return out;
+}
+
 }  // namespace
 
 template <int D>
 void Engine<D>::save(Archive& out) const {
   out["engine/rows"] = reals(bodies_.rows);
   out["engine/derivatives"] = reals(bodies_.derivatives);
-  out["engine/inverse"] = reals(bodies_.inverse);
+  out["engine/inverse"] = as_rows<D>(bodies_);
   out["engine/id"] = integers(bodies_.id);
   out["engine/mass"] = reals(bodies_.mass);
   out["engine/species"] = integers(bodies_.species);
@@ -87,7 +99,12 @@ void Engine<D>::load(const Archive& in) {
                      "delete it; the task then starts from its beginning");
   take(in, "engine/rows", bodies_.rows, true);
   take(in, "engine/derivatives", bodies_.derivatives, true);
-  take(in, "engine/inverse", bodies_.inverse, true);
+  std::vector<double> inverse(bodies_.forces.size());
+  take(in, "engine/inverse", inverse, true);
+  for (std::size_t k = 0; k < bodies_.count(); ++k) {
+    bodies_.inverse[2 * k] = inverse[k * Row<D>::force_stride];
+    bodies_.inverse[2 * k + 1] = inverse[k * Row<D>::force_stride + (D == 2 ? 2 : 4)];
+  }
   take(in, "engine/id", bodies_.id, true);
   take(in, "engine/mass", bodies_.mass, true);
   take(in, "engine/species", bodies_.species, true);
@@ -125,6 +142,7 @@ void Engine<D>::load(const Archive& in) {
   damped_ = scalars[3], rubbed_ = scalars[4], wall_work_ = scalars[5], gravity_work_ = scalars[6];
   const auto& deepest = fetch<std::vector<double>>(in, "engine/deepest");
   for (std::size_t k = 0; k < block && k < deepest.size(); ++k) tally_.deepest[k] = deepest[k];
+  watch_until_ = -1;  // near pairs are looked through anew
   step_ = counters[3], lists_ = counters[4], stale_ = counters[5] != 0;
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
   std::fill(wall_force_.begin(), wall_force_.end(), Vec<D>{});

@@ -11,10 +11,9 @@ double Engine<D>::kinetic_energy() const {
   double sum = 0;
   for (std::size_t k = 0; k < bodies_.grains; ++k) {
     const double* row = bodies_.row(k);
-    const double* inverse = bodies_.inverse.data() + k * R::force_stride;
     for (std::size_t c = 0; c < D; ++c) sum += 0.5 * bodies_.mass[k] * row[R::velocity + c] * row[R::velocity + c];
     for (std::size_t c = 0; c < (D == 2 ? 1 : 3); ++c)
-      sum += 0.5 * row[R::spin + c] * row[R::spin + c] / inverse[D == 2 ? 2 : 4 + c];
+      sum += 0.5 * row[R::spin + c] * row[R::spin + c] / bodies_.inverse_inertia(k);
   }
   return sum;
 }

@@ -15,6 +15,9 @@ namespace {
 /// over the cost of testing the pairs one more diameter of skin would list (estimated from a profile, not tuned).
 /// Bounds in grain diameters.
 constexpr double list_cost = 40, thinnest_skin = 0.01, widest_skin = 0.3;
+/// Near pairs are looked through for those to watch when these may have changed. Cost of that over the cost of testing
+/// them once, as for the skin: the width watched is sqrt(watch_cost * closing * skin).
+constexpr double watch_cost = 1;
 /// Grains are put back into spatial order at every so-manieth list.
 constexpr std::int64_t lists_per_order = 16;
 /// A simulation is given up when two bodies overlap by more than this part of the smaller radius. A grain pinned in the
@@ -52,21 +55,18 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
   smallest_ = setup.radius.empty() ? 0 : setup.radius[0];
   for (std::size_t k = 0; k < setup.radius.size(); ++k) {
     double* row = bodies_.row(k);
-    double* inverse = bodies_.inverse.data() + k * R::force_stride;
     row[R::radius] = setup.radius[k];
+    bodies_.inverse[2 * k] = 1 / setup.mass[k];
+    bodies_.inverse[2 * k + 1] = 1 / setup.inertia[k];
     for (std::size_t c = 0; c < D; ++c) {
       row[c] = setup.position[k][static_cast<int>(c)];
       row[R::velocity + c] = setup.velocity[k][static_cast<int>(c)];
-      inverse[c] = 1 / setup.mass[k];
     }
     if constexpr (D == 2) {
       if (!setup.spin.empty()) row[R::spin] = setup.spin[k];
-      inverse[2] = 1 / setup.inertia[k];
     } else {
-      for (std::size_t c = 0; c < 3; ++c) {
-        if (!setup.spin.empty()) row[R::spin + c] = setup.spin[k][static_cast<int>(c)];
-        inverse[4 + c] = 1 / setup.inertia[k];
-      }
+      if (!setup.spin.empty())
+        for (std::size_t c = 0; c < 3; ++c) row[R::spin + c] = setup.spin[k][static_cast<int>(c)];
     }
     bodies_.mass[k] = setup.mass[k];
     if (!setup.species.empty()) bodies_.species[k] = setup.species[k];
@@ -92,7 +92,8 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
     for (int m = 0; m < R::motions; ++m)
       for (std::size_t c = 0; c < 3; ++c) {
         const std::size_t at = k * R::force_stride + 4 * static_cast<std::size_t>(m) + c;
-        const double a = bodies_.forces[at] * bodies_.inverse[at];
+        const bool turns = m == 1 || (D == 2 && c == 2);
+        const double a = bodies_.forces[at] * (turns ? bodies_.inverse_inertia(k) : bodies_.inverse_mass(k));
         if (scheme_ == Scheme::verlet)
           bodies_.row(k)[R::velocity_of(m) + c] -= a * (dt_ / 2);
         else
@@ -155,7 +156,46 @@ void Engine<D>::relist() {
     }
   }
   moved_ = 0;
+  watch_until_ = -1;
+  closing_ = closing;
   stale_ = false;
+}
+
+template <int D>
+PairArrays Engine<D>::pair_arrays() {
+  return {bodies_.rows.data(),
+          bodies_.forces.data(),
+          pairs_.i.data(),
+          pairs_.j.data(),
+          pairs_.mbar.data(),
+          pairs_.springs.data(),
+          nullptr,
+          shifts_.data(),
+          dt_,
+          &tally_,
+          {watch_i_.data(), watch_j_.data(), watch_shift_.data(), watch_pair_.data(), watch_touching_.data()},
+          static_cast<std::uint32_t>(bodies_.count())};
+}
+
+template <int D>
+PairRange Engine<D>::range_of(std::size_t run) const {
+  const PairLaw<>& law = static_cast<PairKind>(run / 2) == PairKind::bead ? wall_law_ : grain_law_;
+  return {pairs_.start[run], pairs_.start[run + 1], run % 2 == 1, watched_[run], law, kind_, law.mu > 0};
+}
+
+template <int D>
+void Engine<D>::watch_near(PairArrays& p) {
+  const double margin = std::min(skin_, std::max(std::sqrt(watch_cost * closing_ * skin_), 2 * closing_));
+  watch_until_ = moved_ + margin / 2;
+  if (watch_i_.size() < pairs_.size()) {
+    for (auto* a : {&watch_i_, &watch_j_, &watch_shift_, &watch_pair_}) a->resize(pairs_.size());
+    watch_touching_.resize(pairs_.size() / block);
+    p = pair_arrays();
+  }
+  for (std::size_t run = 1; run < pair_runs; run += 2) {
+    p.shift = run / 2 == static_cast<std::size_t>(PairKind::across) ? pairs_.shift.data() : nullptr;
+    watched_[run] = kernels_->template watch<D>()(p, range_of(run), margin);
+  }
 }
 
 template <int D>
@@ -163,21 +203,12 @@ void Engine<D>::compute_forces() {
   if (stale_) relist();
   for (auto* slots : {&tally_.damped, &tally_.rubbed, &tally_.virial})
     std::fill(std::begin(*slots), std::end(*slots), 0.0);
-  PairArrays p{bodies_.rows.data(),
-               bodies_.forces.data(),
-               pairs_.i.data(),
-               pairs_.j.data(),
-               pairs_.mbar.data(),
-               pairs_.springs.data(),
-               nullptr,
-               shifts_.data(),
-               dt_,
-               &tally_};
+  PairArrays p = pair_arrays();
+  if (!(moved_ < watch_until_)) watch_near(p);
   for (std::size_t run = 0; run < pair_runs; ++run) {
-    const auto kind = static_cast<PairKind>(run / 2);
-    const PairLaw<>& law = kind == PairKind::bead ? wall_law_ : grain_law_;
-    p.shift = kind == PairKind::across ? pairs_.shift.data() : nullptr;
-    kernels_->template pairs<D>()(p, {pairs_.start[run], pairs_.start[run + 1], run % 2 == 1, law, kind_, law.mu > 0});
+    const PairRange range = range_of(run);
+    p.shift = run / 2 == static_cast<std::size_t>(PairKind::across) ? pairs_.shift.data() : nullptr;
+    kernels_->template pairs<D>()(p, range);
   }
   touch_planes();
   if (dot(gravity_, gravity_) > 0) pull_down();
@@ -266,6 +297,7 @@ void Engine<D>::advance() {
                bodies_.derivatives.data(),
                bodies_.count(),
                dt_,
+               pairs_.touching() < bodies_.grains / 8,
                {}};
   (scheme_ == Scheme::verlet ? kernels_->template verlet<D>() : kernels_->template gear<D>())(b);
   double speed2 = b.fastest[0] + b.fastest[1];  // in two dimensions the third component is the spin
@@ -277,6 +309,7 @@ void Engine<D>::advance() {
   if (box_speed_ != 0) shrink_box();
   // Gear moves by v dt + a dt^2/2 + ...: the larger of the speeds before and after, and a little more, bounds it
   moved_ += 1.02 * std::sqrt(speed2) * dt_;
+  closing_ = 2 * std::sqrt(speed2) * dt_;
   stale_ = stale_ || !(2 * moved_ < skin_);
   ++step_;
   if (step_ % 64 == 0) {

@@ -6,6 +6,7 @@
 // Energies are booked as they go, so that the ledger of a record closes to the integrator's order.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -89,6 +90,9 @@ class Engine {
 
  private:
   void relist();
+  PairArrays pair_arrays();
+  PairRange range_of(std::size_t run) const;
+  void watch_near(PairArrays& arrays);
   void touch_planes();
   void pull_down();
   void collect_walls();
@@ -111,6 +115,11 @@ class Engine {
 
   PairList<D> pairs_;
   Aligned<double> shifts_;
+  // near pairs that may touch before a body has gone farther than watch_until_: found anew then
+  Aligned<std::uint32_t> watch_i_, watch_j_, watch_shift_, watch_pair_;
+  std::vector<std::uint8_t> watch_touching_;
+  std::array<std::size_t, pair_runs> watched_{};
+  double watch_until_ = -1, closing_ = 0;  ///< closing_: how much nearer two bodies came in the last step at most
   // plane contacts, by wall then grain
   std::vector<std::uint32_t> plane_grain_, plane_wall_;
   std::vector<Axial<D>> plane_spring_;

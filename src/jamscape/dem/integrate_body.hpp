@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "jamscape/dem/kernel.hpp"
 
@@ -28,25 +29,51 @@ inline void keep_larger(Piece& largest, const Piece& v) {
   largest = largest > square ? largest : square;
 }
 
+/// Inverse inertias for the components of motion m of body k.
 template <int D>
-void verlet(BodyArrays& b) {
+Piece inverse_of(const BodyArrays& b, std::size_t k, int m) {
+  const double* q = b.inverse + 2 * k;
+  return D == 2 ? Piece{q[0], q[0], q[1], q[1]} : all(q[m]);
+}
+
+/// Whether nothing has pushed: all bits are those of +0, as the pass before left them.
+template <int D>
+bool untouched(const double* force) {
+  using Bits [[gnu::may_alias]] = std::uint64_t;
+  const Bits* b = reinterpret_cast<const Bits*>(force);
+  std::uint64_t some = b[0] | b[1] | b[2];  // the fourth is 0 in any case
+  if constexpr (D == 3) some |= b[4] | b[5] | b[6];
+  return some == 0;
+}
+
+template <int D, bool skip>
+void verlet_loop(BodyArrays& b) {
   using R = Row<D>;
   const Piece dt = all(b.dt), zero = all(0);
   Piece fastest = zero;
   for (std::size_t k = 0; k < b.count; ++k) {
     double* row = b.rows + k * R::stride;
     double* force = b.forces + k * R::force_stride;
-    const double* inverse = b.inverse + k * R::force_stride;
+    const bool still = skip && untouched<D>(force);
     for (int m = 0; m < R::motions; ++m) {
-      Piece& v = piece(row + R::velocity_of(m));
-      Piece& x = piece(row + R::position_of(m));
-      v += piece(force + 4 * m) * piece(inverse + 4 * m) * dt;
-      x += v * dt;
-      piece(force + 4 * m) = zero;
+      Piece v = piece(row + R::velocity_of(m));
+      if (still) {
+        v += zero;  // as a force of zero would: -0 becomes +0
+      } else {
+        v += piece(force + 4 * m) * inverse_of<D>(b, k, m) * dt;
+        piece(force + 4 * m) = zero;
+      }
       if (m == 0) keep_larger(fastest, v);
+      piece(row + R::velocity_of(m)) = v;
+      piece(row + R::position_of(m)) += v * dt;
     }
   }
   for (int c = 0; c < 4; ++c) b.fastest[c] = fastest[c];
+}
+
+template <int D>
+void verlet(BodyArrays& b) {
+  b.few_pushed ? verlet_loop<D, true>(b) : verlet_loop<D, false>(b);
 }
 
 template <int D>
@@ -60,12 +87,11 @@ void gear(BodyArrays& b) {
   for (std::size_t k = 0; k < b.count; ++k) {
     double* row = b.rows + k * R::stride;
     double* force = b.forces + k * R::force_stride;
-    const double* inverse = b.inverse + k * R::force_stride;
     double* derivative = b.derivatives + k * 12 * R::motions;
     for (int m = 0; m < R::motions; ++m, derivative += 12) {
       Piece x = piece(row + R::position_of(m)), v = piece(row + R::velocity_of(m));
       Piece a = piece(derivative), jerk = piece(derivative + 4), snap = piece(derivative + 8);
-      const Piece now = piece(force + 4 * m) * piece(inverse + 4 * m), da = now - a;
+      const Piece now = piece(force + 4 * m) * inverse_of<D>(b, k, m), da = now - a;
       x += k0 * da;
       v += k1 * da;
       jerk += k3 * da;

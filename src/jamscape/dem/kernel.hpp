@@ -1,6 +1,7 @@
-// The two passes a step is made of, each for several vector widths behind one table of functions.
+// The passes a step is made of, each for several vector widths behind one table of functions.
 //
 //   pairs      reads rows, indices, reduced masses; reads and writes springs, force rows, the tally
+//   watch      finds those near pairs that may touch before long; until it is called again, `pairs` tests no others
 //   integrate  reads force rows and inverse inertias; reads and writes rows (and Gear's higher derivatives); clears
 //   forces
 //
@@ -26,13 +27,22 @@ struct alignas(64) Tally {
 };
 
 /// A run of pairs that share one law. `begin` and `end` are whole blocks. In a sparse range few pairs are expected to
-/// touch: wide kernels collect those that do before they compute forces.
+/// touch: wide kernels look only at those of them that are watched, and collect the ones that touch before they compute
+/// forces. The plain kernel tests every pair.
 struct PairRange {
   std::size_t begin, end;
   bool sparse;
+  std::size_t watched;  ///< sparse: how many pairs are watched, in whole blocks
   PairLaw<> law;
   NormalLaw kind;
   bool friction;
+};
+
+/// The watched pairs of a sparse range, from its `begin` on.
+struct WatchArrays {
+  std::uint32_t *i, *j, *shift;
+  std::uint32_t* pair;     ///< which pair of the range's list
+  std::uint8_t* touching;  ///< by block: the pairs that touched at the last step or still hold a spring
 };
 
 struct PairArrays {
@@ -46,15 +56,18 @@ struct PairArrays {
   const double* shifts;        ///< rows of four doubles
   double dt;
   Tally* tally;
+  WatchArrays watch;
+  std::uint32_t nobody;  ///< a body out of reach of the next one: they fill up blocks
 };
 
 struct BodyArrays {
   double* rows;
   double* forces;
-  const double* inverse;  ///< inverse inertias, rows like forces
+  const double* inverse;  ///< 1/m and 1/I of each body
   double* derivatives;    ///< Gear: acceleration, jerk, snap, a piece of four doubles each, per motion
   std::size_t count;
   double dt;
+  bool few_pushed;    ///< most bodies touch nothing: Verlet then leaves out what a force of zero does not change
   double fastest[4];  ///< out: largest squares of the velocity components; the fourth is 0
 };
 
@@ -63,6 +76,9 @@ struct Kernels {
   const char* name;
   void (*pairs2)(const PairArrays&, const PairRange&);
   void (*pairs3)(const PairArrays&, const PairRange&);
+  /// Watches the pairs of a sparse range closer than reach + margin, and those that hold springs. Returns `watched`.
+  std::size_t (*watch2)(const PairArrays&, const PairRange&, double margin);
+  std::size_t (*watch3)(const PairArrays&, const PairRange&, double margin);
   void (*verlet2)(BodyArrays&);
   void (*verlet3)(BodyArrays&);
   void (*gear2)(BodyArrays&);
@@ -71,6 +87,10 @@ struct Kernels {
   template <int D>
   auto pairs() const {
     return D == 2 ? pairs2 : pairs3;
+  }
+  template <int D>
+  auto watch() const {
+    return D == 2 ? watch2 : watch3;
   }
   template <int D>
   auto verlet() const {

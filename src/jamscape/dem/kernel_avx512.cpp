@@ -6,8 +6,15 @@ namespace jam {
 const Kernels& avx512_kernels();
 
 const Kernels& avx512_kernels() {
-  static constexpr Kernels kernels{
-      "avx512", HWY_NAMESPACE::pairs<2>, HWY_NAMESPACE::pairs<3>, verlet<2>, verlet<3>, gear<2>, gear<3>};
+  static constexpr Kernels kernels{"avx512",
+                                   HWY_NAMESPACE::pairs<2>,
+                                   HWY_NAMESPACE::pairs<3>,
+                                   HWY_NAMESPACE::watch<2>,
+                                   HWY_NAMESPACE::watch<3>,
+                                   verlet<2>,
+                                   verlet<3>,
+                                   gear<2>,
+                                   gear<3>};
   return kernels;
 }
 

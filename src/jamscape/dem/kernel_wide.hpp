@@ -1,8 +1,8 @@
 // The contact loop for vectors of four or eight pairs. Rows of bodies are loaded whole and transposed in registers,
 // forces transposed back and added row by row: no gathers, no scatter conflicts, and the order of sums of the plain
-// loop. In a dense range three vectors are on their way at a time, one in each stage: relative motion, law, sums; they
-// do not wait for each other. In a sparse range the pairs that touch are collected, in order, and go through eight at a
-// time. Included by one file per vector width.
+// loop. In a dense range three or four vectors are on their way at a time, one in each stage; they do not wait for
+// each other. In a sparse range the watched pairs are tested, and those that touch collected, in order, to
+// go through eight at a time. Included by one file per vector width.
 #pragma once
 
 #include <new>
@@ -210,14 +210,14 @@ JAM_INLINE Push<D> push_of(const PairArrays& p, const PairLaw<Lanes>& c, const P
   return out;
 }
 
-/// Touching pairs on their way into a block of their own.
+/// Touching pairs on their way into a block of their own. Lanes before `first` are done.
 template <int D>
 struct alignas(64) Collected {
   static constexpr std::size_t components = axes<D>;
   double springs[components * block], mbar[block];
   double* home[block];  ///< of the springs
   std::uint32_t i[block], j[block], shift[block];
-  std::size_t count = 0;
+  std::size_t first = 0, count = 0;
 
   JAM_INLINE void add(const PairArrays& p, std::size_t k, double* stored) {
     i[count] = p.i[k], j[count] = p.j[k], mbar[count] = p.mbar[k], home[count] = stored;
@@ -229,79 +229,173 @@ struct alignas(64) Collected {
 
 template <int D, NormalLaw law, bool friction, bool shifted>
 void flush(const PairArrays& p, const PairLaw<Lanes>& c, Collected<D>& pending, WideTally& tally) {
-  const std::size_t count = pending.count;
-  for (; pending.count < block; ++pending.count) {  // the rest: a pair that touches nothing to write to, masked below
-    const std::size_t k = pending.count;
-    pending.i[k] = pending.i[0], pending.j[k] = pending.j[0], pending.mbar[k] = pending.mbar[0];
-    pending.shift[k] = pending.shift[0];
+  const std::size_t first = pending.first, count = pending.count;
+  if (first == count) return;
+  for (std::size_t k = 0; k < block; ++k) {  // the rest: a pair that touches nothing to write to, masked below
+    if (k >= first && k < count) continue;
+    pending.i[k] = pending.i[first], pending.j[k] = pending.j[first], pending.mbar[k] = pending.mbar[first];
+    pending.shift[k] = pending.shift[first];
     for (std::size_t e = 0; e < Collected<D>::components; ++e) pending.springs[e * block + k] = 0;
   }
-  for (std::size_t q = 0; q < parts && q * width < count; ++q) {
+  const std::uint32_t live = ((1u << count) - 1) & ~((1u << first) - 1);
+  for (std::size_t q = 0; q < parts; ++q) {
+    const std::uint32_t bits = live >> (q * width) & ((1u << width) - 1);
+    if (!bits) continue;
     const PairPointers at{pending.i + q * width, pending.j + q * width, pending.shift + q * width,
                           pending.mbar + q * width, pending.springs + q * width};
     Touch<D> g = to_touch<D, friction>(p, c, at, distances<D, shifted>(p, at));
-    g.touching = first_lanes(static_cast<int>(count - q * width));
+    g.touching = lanes_of(static_cast<std::uint8_t>(bits));
     add_push<D, friction>(p, at, push_of<D, law, friction>(p, c, at, g, tally, q));
   }
   if constexpr (friction)
-    for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t k = first; k < count; ++k)
       for (std::size_t e = 0; e < Collected<D>::components; ++e)
         pending.home[k][e * block] = pending.springs[e * block + k];
-  pending.count = 0;
+  pending.first = pending.count = count % block;
+}
+
+template <int D>
+JAM_INLINE double* spring_of(const PairArrays& p, std::size_t k) {
+  return p.springs + (D == 2 ? k : k / block * 3 * block + k % block);
 }
 
 template <int D, bool shifted>
 JAM_INLINE PairPointers pointers(const PairArrays& p, std::size_t k) {
-  return {p.i + k, p.j + k, shifted ? p.shift + k : nullptr, p.mbar + k,
-          p.springs + (D == 2 ? k : k / block * 3 * block + k % block)};
+  return {p.i + k, p.j + k, shifted ? p.shift + k : nullptr, p.mbar + k, spring_of<D>(p, k)};
 }
 
 /// A vector between two stages.
 template <int D>
 struct Underway {
+  Geometry<D> geometry;
   Touch<D> touch;
   Push<D> push;
   bool any;
 };
 
+/// Stages: distances, relative motion, law, sums. In two dimensions the first two are one, which is faster there: less
+/// goes through memory. Results of a stage are built in place: they are large.
 template <int D, NormalLaw law, bool friction, bool shifted>
 void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
+  constexpr std::size_t to_law = D == 2 ? 1 : 2, to_sums = to_law + 1;
   const PairArrays p = arrays;  // pointers that no store can change
   Underway<D> slots[4];
   const auto slot = [&](std::size_t k) -> Underway<D>& { return slots[k / width % 4]; };
-  for (std::size_t k = range.begin; k < range.end + 2 * width; k += width) {
+  const auto is_due = [&](std::size_t k,
+                          std::size_t stage) {  // the vector `stage` before k, unless it has no touching pair
+    return k >= range.begin + stage * width && k < range.end + stage * width && slot(k - stage * width).any;
+  };
+  const auto move = [&](std::size_t k, const Geometry<D>& g) {
+    new (&slot(k).touch) Touch<D>(to_touch<D, friction>(p, c, pointers<D, shifted>(p, k), g));
+  };
+  for (std::size_t k = range.begin; k < range.end + to_sums * width; k += width) {
     if (k < range.end) {
       const PairPointers at = pointers<D, shifted>(p, k);
       const Geometry<D> g = distances<D, shifted>(p, at);
       const std::uint32_t bits = lane_bits(g.touching);
       slot(k).any = bits != 0;
-      new (&slot(k).touch) Touch<D>(to_touch<D, friction>(p, c, at, g));  // in place: these are large
+      if constexpr (D == 2)
+        move(k, g);
+      else
+        new (&slot(k).geometry) Geometry<D>(g);
       if constexpr (friction)
         if (bits != (1u << width) - 1) erase_parted<D, law>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
     }
-    if (const std::size_t m = k - width; k > range.begin && m < range.end && slot(m).any)
+    if constexpr (D == 3)
+      if (is_due(k, 1)) move(k - width, slot(k - width).geometry);
+    if (is_due(k, to_law)) {
+      const std::size_t m = k - to_law * width;
       new (&slot(m).push)
           Push<D>(push_of<D, law, friction>(p, c, pointers<D, shifted>(p, m), slot(m).touch, tally, m / width % parts));
-    if (const std::size_t m = k - 2 * width; k > range.begin + width && slot(m).any)
+    }
+    if (is_due(k, to_sums)) {
+      const std::size_t m = k - to_sums * width;
       add_push<D, friction>(p, pointers<D, shifted>(p, m), slot(m).push);
+    }
   }
+}
+
+/// Erases the spring of a pair k that has parted; the linear law books its energy, in its turn.
+template <int D, NormalLaw law, bool shifted>
+void forget(const PairArrays& p, const PairLaw<Lanes>& c, std::size_t k, Collected<D>& pending, WideTally& tally) {
+  double* stored = spring_of<D>(p, k);
+  if constexpr (!hertzian(law)) {
+    alignas(64) double book[axes<D>][block] = {};
+    for (std::size_t e = 0; e < axes<D>; ++e) book[e][k % width] = stored[e * block];
+    flush<D, law, true, shifted>(p, c, pending, tally);
+    Axial<D, Lanes> spring;
+    for (int e = 0; e < axes<D>; ++e) component<D>(spring, e) = Lanes::load(book[e]);
+    Lanes& rubbed = tally.rubbed[k / width % parts];
+    rubbed = rubbed + spring_energy(c.k_t, spring);
+  }
+  for (std::size_t e = 0; e < axes<D>; ++e) stored[e * block] = 0;
 }
 
 template <int D, NormalLaw law, bool friction, bool shifted>
 void sparse_loop(const PairArrays& p, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
   Collected<D> pending;
-  for (std::size_t k = range.begin; k < range.end; k += width) {
-    const PairPointers at = pointers<D, shifted>(p, k);
-    const Geometry<D> g = distances<D, shifted>(p, at);
-    if constexpr (friction) erase_parted<D, law>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
-    if (none(g.touching)) continue;
-    for (std::uint32_t bits = lane_bits(g.touching); bits; bits &= bits - 1) {
+  const WatchArrays& w = p.watch;
+  for (std::size_t q = range.begin; q < range.begin + range.watched; q += block) {
+    std::uint32_t touching = 0;
+    for (std::size_t l = 0; l < block; l += width) {
+      const PairPointers at{w.i + q + l, w.j + q + l, shifted ? w.shift + q + l : nullptr, nullptr, nullptr};
+      touching |= lane_bits(distances<D, shifted>(p, at).touching) << l;
+    }
+    const std::uint32_t parted = w.touching[q / block] & ~touching;
+    if (!(touching | parted)) continue;
+    w.touching[q / block] = static_cast<std::uint8_t>(touching);
+    for (std::uint32_t bits = touching | (friction ? parted : 0); bits; bits &= bits - 1) {
       const auto l = static_cast<std::size_t>(__builtin_ctz(bits));
-      pending.add(p, k + l, at.springs + l);
+      const std::size_t k = w.pair[q + l];
+      if constexpr (friction)
+        if (parted >> l & 1) {
+          forget<D, law, shifted>(p, c, k, pending, tally);
+          continue;
+        }
+      pending.add(p, k, spring_of<D>(p, k));
       if (pending.count == block) flush<D, law, friction, shifted>(p, c, pending, tally);
     }
   }
-  if (pending.count) flush<D, law, friction, shifted>(p, c, pending, tally);
+  flush<D, law, friction, shifted>(p, c, pending, tally);
+}
+
+/// Those of `width` pairs that hold a spring.
+template <int D>
+JAM_INLINE std::uint32_t sprung(const double* stored) {
+  const Axial<D, Lanes> spring = load_springs<D>(stored);
+  std::uint32_t bits = 0;
+  for (int e = 0; e < axes<D>; ++e) bits |= lane_bits(magnitude(component<D>(spring, e)) > Lanes(0.0));
+  return bits;
+}
+
+template <int D, bool shifted>
+std::size_t watch_range(const PairArrays& p, const PairRange& range, double margin) {
+  const WatchArrays& w = p.watch;
+  std::size_t to = range.begin;
+  for (std::size_t k = range.begin; k < range.end; k += width) {
+    const PairPointers at = pointers<D, shifted>(p, k);
+    const Geometry<D> g = distances<D, shifted>(p, at);
+    const Lanes far = g.reach + Lanes(margin);
+    const std::uint32_t held = sprung<D>(at.springs);
+    for (std::uint32_t bits = lane_bits(g.r2 < far * far) | held; bits; bits &= bits - 1) {
+      const auto l = static_cast<std::size_t>(__builtin_ctz(bits));
+      w.i[to] = p.i[k + l], w.j[to] = p.j[k + l], w.pair[to] = static_cast<std::uint32_t>(k + l);
+      if constexpr (shifted) w.shift[to] = p.shift[k + l];
+      if (to % block == 0) w.touching[to / block] = 0;
+      w.touching[to / block] = static_cast<std::uint8_t>(w.touching[to / block] | (held >> l & 1) << to % block);
+      ++to;
+    }
+  }
+  for (; to % block; ++to) {
+    w.i[to] = p.nobody, w.j[to] = p.nobody + 1;
+    if constexpr (shifted) w.shift[to] = 0;
+  }
+  return to - range.begin;
+}
+
+template <int D>
+std::size_t watch(const PairArrays& p, const PairRange& range, double margin) {
+  return p.shift ? watch_range<D, true>(p, range, margin) : watch_range<D, false>(p, range, margin);
 }
 
 template <int D, NormalLaw law, bool friction, bool shifted>

@@ -37,6 +37,12 @@ struct PairList {
   Aligned<double> springs;       ///< 2D: by pair; 3D: in blocks of 8 x, 8 y, 8 z
 
   std::size_t size() const { return i.size(); }
+  /// Pairs that touched when the list was made, in whole blocks.
+  std::size_t touching() const {
+    std::size_t n = 0;
+    for (std::size_t run = 0; run < pair_runs; run += 2) n += start[run + 1] - start[run];
+    return n;
+  }
   double* spring(std::size_t k) { return springs.data() + (D == 2 ? k : k / block * 3 * block + k % block); }
   const double* spring(std::size_t k) const {
     return springs.data() + (D == 2 ? k : k / block * 3 * block + k % block);

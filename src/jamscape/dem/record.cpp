@@ -105,7 +105,6 @@ Packing Engine<D>::record() const {
     const std::size_t a = bodies_.id[k];
     const double* row = bodies_.row(k);
     const double* force = bodies_.forces.data() + k * R::force_stride;
-    const double* inverse = bodies_.inverse.data() + k * R::force_stride;
     g.id[a] = static_cast<std::int64_t>(a);
     g.species[a] = bodies_.species[k];
     g.radius[a] = row[R::radius];
@@ -113,14 +112,14 @@ Packing Engine<D>::record() const {
     for (int c = 0; c < D; ++c) {
       const auto e = static_cast<std::size_t>(c);
       g.position[a][c] = row[e];
-      g.velocity[a][c] = row[R::velocity + e] + force[e] * inverse[e] * half;
+      g.velocity[a][c] = row[R::velocity + e] + force[e] * bodies_.inverse_mass(k) * half;
       out.energy.kinetic += 0.5 * g.mass[a] * g.velocity[a][c] * g.velocity[a][c];
     }
     for (int c = D == 2 ? 2 : 0; c < 3; ++c) {
       const std::size_t at = D == 2 ? 0 : static_cast<std::size_t>(c), f = D == 2 ? 2 : 4 + at;
-      g.spin[a][c] = row[R::spin + at] + force[f] * inverse[f] * half;
+      g.spin[a][c] = row[R::spin + at] + force[f] * bodies_.inverse_inertia(k) * half;
       g.angle[a][c] = row[R::angle + at];
-      out.energy.kinetic += 0.5 * g.spin[a][c] * g.spin[a][c] / inverse[f];
+      out.energy.kinetic += 0.5 * g.spin[a][c] * g.spin[a][c] / bodies_.inverse_inertia(k);
     }
   }
 

@@ -4,9 +4,9 @@
 //   2D, 64 bytes    x y angle radius | vx vy spin 0
 //   3D, 128 bytes   x y z radius | vx vy vz 0 | wx wy wz 0 | angles about x y z, 0
 //
-// A "motion" is a piece of positions with its piece of velocities: one in 2D, two in 3D. Forces and inverse inertias
-// have one piece a motion: (f_x f_y torque 0) and (1/m 1/m 1/I 0) in 2D. The zeros are kept by every pass, so that
-// position += velocity dt leaves the radius alone.
+// A "motion" is a piece of positions with its piece of velocities: one in 2D, two in 3D. Forces
+// have one piece a motion: (f_x f_y torque 0) in 2D. The zeros are kept by every pass, so that position += velocity dt
+// leaves the radius alone.
 #pragma once
 
 #include <cstddef>
