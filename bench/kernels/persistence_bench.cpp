@@ -2,7 +2,12 @@
 // spheres too. A network is timed only if both give the same diagram. Both go in turns, one after the other, round by
 // round.
 //
-//   persistence_bench [--rounds N] [--json FILE] [NETWORK...]     all networks, 7 rounds: some minutes
+//   persistence_bench [--rounds N] [--json FILE] [NETWORK...]     7 rounds; without names the five smaller networks:
+//   some
+//                                                                 minutes. The others take many, most to make them.
+//
+// Memory is what the call has at most on the heap at a time, its result included, the graph not. The level sweep
+// (clusters, percolation, S_p) has 61 thresholds, Betti curves 101; Betti curves are read from a diagram that is there.
 //
 // Leave the machine alone meanwhile, and quote the ratios.
 #include <fmt/core.h>
@@ -16,11 +21,14 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "gudhi_diagram.hpp"
+#include "heap_peak.hpp"
 #include "jamscape/base/error.hpp"
+#include "jamscape/network/level_sweep.hpp"
 #include "jamscape/topology/betti.hpp"
 #include "jamscape/topology/persistence.hpp"
 #include "networks.hpp"
@@ -31,12 +39,12 @@ struct Network {
   const char* name;
   int dimension;
   std::uint32_t grains;
+  int steps = 200;  // of the generator; fewer for networks that are measured only when asked for
 };
-constexpr Network networks[] = {{"discs_2000", 2, 2000},
-                                {"discs_20000", 2, 20000},
-                                {"discs_100000", 2, 100000},
-                                {"spheres_4096", 3, 4096},
-                                {"spheres_32768", 3, 32768}};
+constexpr Network networks[] = {{"discs_2000", 2, 2000},           {"discs_20000", 2, 20000},
+                                {"discs_100000", 2, 100000},       {"spheres_4096", 3, 4096},
+                                {"spheres_32768", 3, 32768},       {"discs_1000000", 2, 1000000, 60},
+                                {"spheres_110592", 3, 110592, 60}, {"spheres_995328", 3, 995328, 30}};
 
 /// Milliseconds of one call, over as many calls as make a twentieth of a second.
 template <class Run>
@@ -65,16 +73,17 @@ Spread spread(std::vector<double> values) {
 
 /// Milliseconds by round.
 struct Times {
-  std::vector<double> gudhi, ours, ours_reusing, betti;
+  std::vector<double> gudhi, ours, ours_reusing, betti, levels;
+  double gudhi_bytes = 0, bytes = 0;  // an edge
 };
 
 void write_row(const Network& network, const jam::WeightedGraph& graph, const Times& t) {
   std::vector<double> ratio;
   for (std::size_t k = 0; k < t.gudhi.size(); ++k) ratio.push_back(t.gudhi[k] / t.ours[k]);
   const Spread r = spread(ratio);
-  fmt::print("{:<14}{:>8}{:>11.3f}{:>11.3f}{:>10.1f} ({:.1f}-{:.1f}){:>13.3f}{:>15.3f}\n", network.name, graph.edges(),
-             spread(t.gudhi).median, spread(t.ours).median, r.median, r.least, r.most, spread(t.ours_reusing).median,
-             spread(t.betti).median);
+  fmt::print("{:<14}{:>8}{:>11.3f}{:>11.3f}{:>10.1f} ({:.1f}-{:.1f}){:>13.3f}{:>15.3f}{:>13.3f}{:>14.0f}{:>9.0f}\n",
+             network.name, graph.edges(), spread(t.gudhi).median, spread(t.ours).median, r.median, r.least, r.most,
+             spread(t.ours_reusing).median, spread(t.betti).median, spread(t.levels).median, t.bytes, t.gudhi_bytes);
   std::cout.flush();
 }
 
@@ -86,8 +95,12 @@ Times measure(const Network& network, const jam::WeightedGraph& graph, int round
     throw jam::data_error(fmt::format("the diagrams of {} differ", network.name));
   std::vector<double> grid;
   for (int i = 0; i <= 100; ++i) grid.push_back(.05 * i);
+  const std::span<const double> level_grid = std::span(grid).first(61);
   jam::PersistenceWorkspace workspace;
   Times t;
+  const auto edges = static_cast<double>(graph.edges());
+  t.bytes = heap_peak([&] { jam::persistence(graph, options); }) / edges;
+  t.gudhi_bytes = heap_peak([&] { gudhi_diagram(graph, options); }) / edges;
   for (int round = 0; round < rounds; ++round) {
     t.gudhi.push_back(milliseconds([&] { return gudhi_diagram(graph, options).size(); }));
     t.ours.push_back(milliseconds([&] { return points(jam::persistence(graph, options)).size(); }));
@@ -98,6 +111,7 @@ Times measure(const Network& network, const jam::WeightedGraph& graph, int round
         sum += static_cast<std::size_t>(jam::betti_curve(diagram, k, grid)[0]) + 1;
       return sum;
     }));
+    t.levels.push_back(milliseconds([&] { return jam::level_sweep(graph, level_grid).size(); }));
   }
   return t;
 }
@@ -107,19 +121,21 @@ int run(int rounds, const std::string& json, const std::vector<std::string>& wan
     if (std::none_of(std::begin(networks), std::end(networks), [&](const Network& n) { return n.name == name; }))
       throw jam::usage_error("no network is called '" + name + "'");
   fmt::print("{} rounds, one core; milliseconds (median), ratio = GUDHI / Jamscape: median (least-most)\n", rounds);
-  fmt::print("{:<14}{:>8}{:>11}{:>11}{:>21}{:>13}{:>15}\n", "network", "edges", "GUDHI", "Jamscape", "ratio       ",
-             "memory kept", "Betti curves");
+  fmt::print("{:<14}{:>8}{:>11}{:>11}{:>21}{:>13}{:>15}{:>13}{:>14}{:>9}\n", "network", "edges", "GUDHI", "Jamscape",
+             "ratio       ", "memory kept", "Betti curves", "level sweep", "bytes an edge", "GUDHI's");
   std::string rows;
   for (const Network& network : networks) {
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), network.name) == wanted.end()) continue;
+    const bool asked = std::find(wanted.begin(), wanted.end(), network.name) != wanted.end();
+    if (wanted.empty() ? network.steps < 200 : !asked) continue;
     const auto graph =
-        jam::examples::packing(network.grains, network.dimension, network.dimension == 2 ? .86 : .66, 200, 1);
+        jam::examples::packing(network.grains, network.dimension, network.dimension == 2 ? .86 : .66, network.steps, 1);
     const Times t = measure(network, graph, rounds);
     write_row(network, graph, t);
     rows += fmt::format(
         "{}\n\"{}\": {{\"edges\": {}, \"gudhi\": {}, \"jamscape\": {}, \"jamscape_memory_kept\": {}, "
-        "\"betti_curves\": {}}}",
-        rows.empty() ? "" : ",", network.name, graph.edges(), t.gudhi, t.ours, t.ours_reusing, t.betti);
+        "\"betti_curves\": {}, \"level_sweep\": {}, \"bytes_per_edge\": {}, \"gudhi_bytes_per_edge\": {}}}",
+        rows.empty() ? "" : ",", network.name, graph.edges(), t.gudhi, t.ours, t.ours_reusing, t.betti, t.levels,
+        t.bytes, t.gudhi_bytes);
   }
   if (!json.empty()) std::ofstream(json) << "{" << rows << "\n}\n";
   return 0;

@@ -29,6 +29,8 @@ std::string name_edge(const WeightedGraph& g, std::size_t e) {
                    "use the magnitude of the force; check the run that made it");
 }
 
+bool good(double weight) { return (weight >= 0) & (weight <= std::numeric_limits<double>::max()); }
+
 }  // namespace
 
 void validate_edges(const WeightedGraph& g) {
@@ -41,14 +43,20 @@ void validate_edges(const WeightedGraph& g) {
     throw data_error(fmt::format(
         "the graph is too large: {} vertices, {} edges; fewer than 2^31 of each can be handled", g.vertices, n));
   }
-  const auto wrong = [&](std::size_t e) {
-    const bool ends = (g.from[e] < g.vertices) & (g.to[e] < g.vertices) & (g.from[e] != g.to[e]);
-    return !(ends & (g.weight[e] >= 0) & (g.weight[e] <= std::numeric_limits<double>::max()));
-  };
-  bool any = false;  // all at once, as none is expected
-  for (std::size_t e = 0; e < n; ++e) any |= wrong(e);
-  for (std::size_t e = 0; any; ++e)
-    if (wrong(e)) explain(g, e);
+  // All at once, in loops that fill vector registers: nothing wrong is expected.
+  std::uint32_t wrong_ends = 0;
+  for (std::size_t e = 0; e < n; ++e) {
+    const std::uint32_t a = g.from[e], b = g.to[e];
+    wrong_ends |= static_cast<std::uint32_t>(a >= g.vertices) | static_cast<std::uint32_t>(b >= g.vertices) |
+                  static_cast<std::uint32_t>(a == b);
+  }
+  std::int64_t wrong_weights = 0;
+  for (const double w : g.weight) wrong_weights |= good(w) ? 0 : 1;
+  if (wrong_ends == 0 && wrong_weights == 0) return;
+  for (std::size_t e = 0;; ++e) {
+    const bool ends = g.from[e] < g.vertices && g.to[e] < g.vertices && g.from[e] != g.to[e];
+    if (!ends || !good(g.weight[e])) explain(g, e);
+  }
 }
 
 void validate(const WeightedGraph& g) {

@@ -15,7 +15,7 @@ std::uint32_t ahead_of(std::uint32_t edges) { return edges < 1u << 15 ? edges : 
 
 }  // namespace
 
-void Filtration::build(const WeightedGraph& graph, int dimension) {
+void Filtration::build(const WeightedGraph& graph, int dimension, Memory memory) {
   validate_edges(graph);
   rank_edges(graph);
   if (dimension < 2) {
@@ -27,14 +27,15 @@ void Filtration::build(const WeightedGraph& graph, int dimension) {
   }
   order_vertices();
   find_components();
+  if (memory == Memory::release) {
+    sets_ = {};
+    place_ = {};
+  }
   find_cliques(graph, static_cast<std::uint32_t>(dimension));
-}
-
-void Filtration::release_search() {
-  older_ = {};
-  sets_ = {};
-  degree_ = {};
-  place_ = {};
+  if (memory == Memory::release) {
+    older_ = {};
+    degree_ = {};
+  }
 }
 
 void Filtration::rank_edges(const WeightedGraph& graph) {

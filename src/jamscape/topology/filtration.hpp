@@ -22,6 +22,9 @@
 
 namespace jam {
 
+/// Whether memory that only Filtration::build() needs is kept for the next call, or given back early: a third of all.
+enum class Memory { keep, release };
+
 class Filtration {
  public:
   /// A vertex that has edges.
@@ -32,11 +35,8 @@ class Filtration {
   };
 
   /// Ranks the edges, pairs vertices with edges, finds the cliques up to `dimension` (below 2: none).
-  /// Throws a data error for a graph that breaks the rules of validate(). Keeps its memory between calls.
-  void build(const WeightedGraph& graph, int dimension);
-
-  /// Gives back the memory that only build() needs: a third of all.
-  void release_search();
+  /// Throws a data error for a graph that breaks the rules of validate().
+  void build(const WeightedGraph& graph, int dimension, Memory memory);
 
   std::uint32_t edges() const { return static_cast<std::uint32_t>(order_.size()); }
   std::uint32_t edge(std::uint32_t rank) const { return order_.edge(rank); }

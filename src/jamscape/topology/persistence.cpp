@@ -16,6 +16,7 @@ class Writer {
       : cells_(cells), options_(options), chosen_(chosen) {}
 
   Diagram write() {
+    diagram_.pairs.reserve(count_pairs());  // once: pairs are most of what is in memory by now
     components();
     if (options_.max_dimension > 0) classes(1, cells_.edge_partner);
     for (const auto& cliques : cells_.cliques) {
@@ -33,9 +34,22 @@ class Writer {
     return partner < limit || partner == kUnpaired;
   }
 
-  /// The cells that begin a class, without a branch: no processor could guess it. Makes room for their pairs.
+  /// At most so many pairs are written.
+  std::size_t count_pairs() const {
+    std::size_t count = cells_.isolated().size();
+    for (const auto& v : cells_.vertices()) count += begins(v.partner);
+    const auto add_cells = [&](const std::vector<std::uint32_t>& partner) {
+      for (const auto p : partner) count += begins(p);
+    };
+    if (options_.max_dimension > 0) add_cells(cells_.edge_partner);
+    for (const auto& cliques : cells_.cliques)
+      if (static_cast<int>(cliques.dimension) <= options_.max_dimension) add_cells(cliques.partner);
+    return count;
+  }
+
+  /// The cells that begin a class, without a branch: no processor could guess it.
   template <class PartnerOf>
-  void choose(std::size_t cells, const PartnerOf& partner_of, std::size_t more) {
+  void choose(std::size_t cells, const PartnerOf& partner_of) {
     chosen_.resize(cells + 1);
     std::size_t count = 0;
     for (std::uint32_t cell = 0; cell < cells; ++cell) {
@@ -43,7 +57,6 @@ class Writer {
       count += begins(partner_of(cell));
     }
     chosen_.resize(count);
-    diagram_.pairs.reserve(diagram_.pairs.size() + count + more);
   }
 
   void add(int dimension, std::uint32_t from, CellId cell, std::uint32_t partner) {
@@ -62,8 +75,7 @@ class Writer {
   void components() {
     const auto& vertices = cells_.vertices();
     const auto& isolated = cells_.isolated();
-    choose(
-        vertices.size(), [&](std::uint32_t i) { return vertices[i].partner; }, isolated.size());
+    choose(vertices.size(), [&](std::uint32_t i) { return vertices[i].partner; });
     for (const auto i : chosen_) add(0, vertices[i].entry, vertices[i].name, vertices[i].partner);
     if (isolated.empty()) return;
     for (const auto v : isolated) diagram_.pairs.push_back({0, 0, 0, true, v, -1});
@@ -73,8 +85,7 @@ class Writer {
   }
 
   void classes(int dimension, const std::vector<std::uint32_t>& partner) {
-    choose(
-        partner.size(), [&](std::uint32_t c) { return partner[c]; }, 0);
+    choose(partner.size(), [&](std::uint32_t c) { return partner[c]; });
     for (const auto c : chosen_) {
       const auto from = cells_.youngest_edge(static_cast<std::uint32_t>(dimension), c);
       add(dimension, from, dimension == 1 ? cells_.edge(c) : c, partner[c]);
@@ -126,8 +137,7 @@ Diagram persistence(const WeightedGraph& graph, const PersistenceOptions& option
   if (options.max_dimension < 0) throw usage_error("the highest dimension of homology must not be negative");
   auto& [cells, reduction, chosen, lasting] = *workspace.parts_;
   const bool filled = options.triangles == Triangles::fill && options.max_dimension > 0;
-  cells.build(graph, filled ? options.max_dimension + 1 : 1);
-  if (!lasting) cells.release_search();
+  cells.build(graph, filled ? options.max_dimension + 1 : 1, lasting ? Memory::keep : Memory::release);
   for (auto i = cells.cliques.size(); i-- > 0;) {
     reduction.pair(cells.cliques[i], i > 0 ? cells.cliques[i - 1].partner : cells.edge_partner);
   }
