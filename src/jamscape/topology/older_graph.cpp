@@ -1,6 +1,8 @@
 #include "jamscape/topology/older_graph.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace jam {
 
@@ -58,21 +60,35 @@ bool OlderGraph::common(Ends e, std::vector<CommonNeighbour>& found) const {
   const bool swapped = around(e.a).size() > around(e.b).size();
   const auto few = around(swapped ? e.b : e.a), many = around(swapped ? e.a : e.b);
   const auto far = swapped ? e.a : e.b;
-  for (const auto n : few) {
-    if (n.vertex == far) return false;
-    if ((both & hash(n.vertex)) == 0) continue;
-    auto other = kNone;
-    if (many.size() > kHub) {
-      other = linked_to_hub(far, n.vertex);
-    } else {
-      for (const auto m : many) other = m.vertex == n.vertex ? m.rank : other;
-    }
-    if (other == kNone) continue;
+  const auto add = [&](Neighbour n, std::uint32_t other) {
     found.push_back(swapped ? CommonNeighbour{n.vertex, other, n.rank} : CommonNeighbour{n.vertex, n.rank, other});
+  };
+  if (many.size() > kHub) {
+    for (const auto n : few) {
+      if (n.vertex == far) return false;
+      const auto other = (both & hash(n.vertex)) != 0 ? linked_to_hub(far, n.vertex) : kNone;
+      if (other != kNone) add(n, other);
+    }
+  } else {
+    // Few of a list qualify, and no processor could guess which: they are put aside first, without a branch.
+    std::array<Neighbour, kHub + 1> likely;
+    std::size_t count = 0;
+    bool linked = false;
+    for (const auto n : few) {
+      likely[count] = n;
+      count += (both & hash(n.vertex)) != 0;
+      linked |= n.vertex == far;
+    }
+    if (linked) return false;
+    for (std::size_t k = 0; k < count; ++k) {
+      auto other = kNone;
+      for (const auto m : many) other = m.vertex == likely[k].vertex ? m.rank : other;
+      if (other != kNone) add(likely[k], other);
+    }
   }
-  if (found.size() > 1) {
-    std::sort(found.begin(), found.end(), [](const auto& x, const auto& y) { return x.vertex < y.vertex; });
-  }
+  const auto before = [](const CommonNeighbour& x, const CommonNeighbour& y) { return x.vertex < y.vertex; };
+  if (found.size() == 2 && before(found[1], found[0])) std::swap(found[0], found[1]);
+  if (found.size() > 2) std::sort(found.begin(), found.end(), before);
   return true;
 }
 
