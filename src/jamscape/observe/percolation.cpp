@@ -24,12 +24,12 @@ double ratio(double over, double under) { return under > 0 ? over / under : 0; }
 }  // namespace
 
 double percolation_estimate(const std::vector<std::uint32_t>& degree) {
-  double sum = 0, pairs = 0;
-  for (const double k : degree) {
+  std::uint64_t sum = 0, pairs = 0;
+  for (const std::uint64_t k : degree) {
     sum += k;
-    pairs += k * (k - 1);
+    pairs += k * (k - 1);  // 0 for k = 0
   }
-  return pairs > 0 ? sum / pairs : std::numeric_limits<double>::quiet_NaN();
+  return pairs > 0 ? static_cast<double>(sum) / static_cast<double>(pairs) : std::numeric_limits<double>::quiet_NaN();
 }
 
 Measure percolation_measure() {
@@ -50,7 +50,7 @@ Measure percolation_measure() {
       [](const Snapshot& s) {
         const ClusterLevel& whole = s.levels().front();
         const auto degree = degrees(s.network().graph);
-        const double ends = std::accumulate(degree.begin(), degree.end(), 0.0);
+        const auto ends = static_cast<double>(std::accumulate(degree.begin(), degree.end(), std::uint64_t{0}));
         std::vector<double> row(whole.percolates.begin(), whole.percolates.end());
         row.push_back(whole.percolating_clusters > 0 ? 1 : 0);
         row.push_back(ratio(whole.percolating_vertices, s.network().graph.vertices));

@@ -61,14 +61,14 @@ void Filtration::order_vertices() {
   constexpr std::uint32_t nowhere = 0xFFFFFFFFu;
   const auto n = edges();
   place_.assign(degree_.size(), nowhere);
-  vertices_.resize(degree_.size() + 1);
+  vertices_.name.resize(degree_.size() + 1);
+  vertices_.entry.resize(degree_.size() + 1);
   std::uint32_t first = 0;             // of the edges that weigh as much as the present one
   std::uint32_t known = 0, count = 0;  // vertices that entered before those edges, and so far
   const auto order_newcomers = [&](std::uint32_t end) {
     if (end - first > 1) {  // those of a single edge are in order
-      std::sort(vertices_.begin() + known, vertices_.begin() + count,
-                [](const Vertex& x, const Vertex& y) { return x.name < y.name; });
-      for (auto k = known; k < count; ++k) place_[vertices_[k].name] = k;
+      std::sort(vertices_.name.begin() + known, vertices_.name.begin() + count);
+      for (auto k = known; k < count; ++k) place_[vertices_.name[k]] = k;
     }
     known = count;
     first = end;
@@ -83,14 +83,17 @@ void Filtration::order_vertices() {
     const auto [a, b] = ends_[r];
     for (const auto v : {std::min(a, b), std::max(a, b)}) {
       auto& place = place_[v];
-      vertices_[count] = {v, first, kUnpaired};
+      vertices_.name[count] = v;
+      vertices_.entry[count] = first;
       const bool fresh = place == nowhere;
       place = std::min(place, count);
       count += fresh;
     }
   }
   order_newcomers(n);
-  vertices_.resize(count);
+  vertices_.name.resize(count);
+  vertices_.entry.resize(count);
+  vertices_.partner.assign(count, kUnpaired);
   isolated_.clear();
   for (std::uint32_t v = 0; count + isolated_.size() < place_.size(); ++v)
     if (place_[v] == nowhere) isolated_.push_back(v);
@@ -111,10 +114,8 @@ void Filtration::find_components() {
     }
     first = weight(r) == weight(first) ? first : r;
     const auto merge = sets_.unite(place_[ends_[r].a], place_[ends_[r].b]);
-    auto& lost = vertices_[merge.lost];
-    const std::uint32_t closes = !merge.joined();
-    const auto partner = r | static_cast<std::uint32_t>(lost.entry == first) << 31 | (0 - closes);
-    lost.partner = partner;
+    const std::uint32_t closes = !merge.joined(), at_once = vertices_.entry[merge.lost] == first;
+    vertices_.partner[merge.lost] = r | at_once << 31 | (0 - closes);
     edge_partner[r] = kNegative | closes;
   }
 }

@@ -27,11 +27,14 @@ enum class Memory { keep, release };
 
 class Filtration {
  public:
-  /// A vertex that has edges.
-  struct Vertex {
-    std::uint32_t name;     ///< in the graph
-    std::uint32_t entry;    ///< rank of the first edge of the vertex's value (any vertex of that edge has it)
-    std::uint32_t partner;  ///< the edge that ends its component, or kUnpaired
+  /// Vertices that have edges, in the order in which they enter.
+  struct Vertices {
+    std::vector<std::uint32_t> name;  ///< in the graph
+    std::vector<std::uint32_t>
+        entry;  ///< rank of the first edge of the vertex's value (any vertex of that edge has it)
+    std::vector<std::uint32_t> partner;  ///< the edge that ends its component, or kUnpaired
+
+    std::size_t size() const { return name.size(); }
   };
 
   /// Ranks the edges, pairs vertices with edges, finds the cliques up to `dimension` (below 2: none).
@@ -43,9 +46,8 @@ class Filtration {
   double weight(std::uint32_t rank) const { return order_.weight(rank); }
   Ends ends(std::uint32_t rank) const { return ends_[rank]; }
 
-  /// Vertices that have edges, in the order in which they enter.
-  const std::vector<Vertex>& vertices() const { return vertices_; }
-  /// The others, by increasing number.
+  const Vertices& vertices() const { return vertices_; }
+  /// Vertices without edges, by increasing number.
   const std::vector<std::uint32_t>& isolated() const { return isolated_; }
 
   /// The youngest edge of a cell of dimension >= 1: its value is that edge's weight.
@@ -67,7 +69,7 @@ class Filtration {
   std::vector<Ends> ends_;             // by rank
   std::vector<std::uint32_t> degree_;  // by vertex
   std::vector<std::uint32_t> place_;   // by vertex: index into vertices_
-  std::vector<Vertex> vertices_;
+  Vertices vertices_;
   std::vector<std::uint32_t> isolated_;
   UnionFind sets_;  // by place: the smaller is older
   OlderGraph older_;

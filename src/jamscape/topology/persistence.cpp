@@ -36,8 +36,8 @@ class Writer {
 
   /// At most so many pairs are written.
   std::size_t count_pairs() const {
-    std::size_t count = cells_.isolated().size();
-    for (const auto& v : cells_.vertices()) count += begins(v.partner);
+    auto count = static_cast<std::uint32_t>(cells_.isolated().size());
+    for (const auto p : cells_.vertices().partner) count += begins(p);
     const auto add_cells = [&](const std::vector<std::uint32_t>& partner) {
       for (const auto p : partner) count += begins(p);
     };
@@ -75,8 +75,8 @@ class Writer {
   void components() {
     const auto& vertices = cells_.vertices();
     const auto& isolated = cells_.isolated();
-    choose(vertices.size(), [&](std::uint32_t i) { return vertices[i].partner; });
-    for (const auto i : chosen_) add(0, vertices[i].entry, vertices[i].name, vertices[i].partner);
+    choose(vertices.size(), [&](std::uint32_t i) { return vertices.partner[i]; });
+    for (const auto i : chosen_) add(0, vertices.entry[i], vertices.name[i], vertices.partner[i]);
     if (isolated.empty()) return;
     for (const auto v : isolated) diagram_.pairs.push_back({0, 0, 0, true, v, -1});
     const auto zero = std::partition_point(diagram_.pairs.begin(), diagram_.pairs.end(),
