@@ -79,10 +79,10 @@ class Tally {
 
   ClusterLevel level() {
     ClusterLevel now;
-    now.clusters = static_cast<std::uint32_t>(count_[0]);
-    now.cluster_vertices = static_cast<std::uint32_t>(vertices_[0]);
-    now.percolating_clusters = static_cast<std::uint32_t>(count_[1]);
-    now.percolating_vertices = static_cast<std::uint32_t>(vertices_[1]);
+    now.clusters = count_ - through_count_;
+    now.cluster_vertices = vertices_ - through_vertices_;
+    now.percolating_clusters = through_count_;
+    now.percolating_vertices = through_vertices_;
     for (std::size_t a = 0; a < 3; ++a) now.percolates[a] = (through_ >> (2 * a) & 1u) != 0;
     const auto all = now.clusters + now.percolating_clusters;
     if (all > 0) now.shape = shapes_.sum() / all;
@@ -92,23 +92,30 @@ class Tally {
  private:
   void take(const Cluster& c) {
     const std::uint32_t there = c.edges > 0;  // a branch would be wrong too often
-    const bool through = joined(c.sides) != 0;
-    count_[through] -= there;
-    vertices_[through] -= there * c.vertices;
+    count_ -= there;
+    vertices_ -= there * c.vertices;
+    if (joined(c.sides) != 0) {
+      through_count_ -= there;
+      through_vertices_ -= there * c.vertices;
+    }
     shapes_.take(c.vertices, c.edges);
   }
   void put(const Cluster& c) {
-    const unsigned axes = joined(c.sides);
-    through_ |= axes;
-    ++count_[axes != 0];
-    vertices_[axes != 0] += c.vertices;
+    ++count_;
+    vertices_ += c.vertices;
+    if (const unsigned axes = joined(c.sides); axes != 0) {
+      through_ |= axes;
+      ++through_count_;
+      through_vertices_ += c.vertices;
+    }
     shapes_.add(c.vertices, c.edges);
   }
 
   std::vector<Cluster> clusters_;  // by leader
   ShapeSum shapes_;
-  std::array<std::uint32_t, 2> count_{}, vertices_{};  // of the clusters: those that do not percolate, those that do
-  unsigned through_ = 0;                               // axes along which some cluster percolates
+  std::uint32_t count_ = 0, vertices_ = 0;                  // clusters, and vertices in them
+  std::uint32_t through_count_ = 0, through_vertices_ = 0;  // of those that percolate
+  unsigned through_ = 0;                                    // axes along which some cluster percolates
 };
 
 /// Edges by the number of thresholds below their weight, in the order of their numbers where it is equal.
