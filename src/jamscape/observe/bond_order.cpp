@@ -32,7 +32,7 @@ double order(double x, double y) {
   return (1 - 2 * static_cast<double>(lower)) * (1 - x);
 }
 
-double cos_of_gap(const Bond& a, const Bond& b) { return a.six.re * b.six.re + a.six.im * b.six.im; }
+double cos_of_gap(const Phase& a, const Phase& b) { return a.re * b.re + a.im * b.im; }
 
 // The bonds of all grains, one grain after another.
 struct BondList {
@@ -69,14 +69,14 @@ struct GrainOrder {
   Phase mean;
 };
 
-GrainOrder order_of(std::span<const Bond> b) {  // sorted
+GrainOrder order_of(std::span<const Phase> b) {  // by angle
   const auto n = static_cast<double>(b.size());
   double gaps = 0;
-  Phase sum = b[0].six;
+  Phase sum = b[0];
   for (std::size_t k = 1; k < b.size(); ++k) {
     gaps += cos_of_gap(b[k - 1], b[k]);
-    sum.re += b[k].six.re;
-    sum.im += b[k].six.im;
+    sum.re += b[k].re;
+    sum.im += b[k].im;
   }
   return {gaps / (n - 1),
           (gaps + cos_of_gap(b.back(), b.front())) / n,
@@ -95,14 +95,16 @@ GrainOrder order_of_few(const Bond* b) {
       place[m] += before;
       place[k] += !before;
     }
-  std::array<Bond, N> sorted;
-  for (std::size_t k = 0; k < N; ++k) sorted[place[k]] = b[k];
-  return order_of(std::span<const Bond, N>(sorted));
+  std::array<Phase, N> sorted;  // whole phases, written as they will be read
+  for (std::size_t k = 0; k < N; ++k) sorted[place[k]] = b[k].six;
+  return order_of(sorted);
 }
 
 GrainOrder order_of_many(std::span<Bond> b) {
   std::stable_sort(b.begin(), b.end(), [](const Bond& x, const Bond& y) { return x.order < y.order; });
-  return order_of(b);
+  std::vector<Phase> sorted;
+  for (const Bond& bond : b) sorted.push_back(bond.six);
+  return order_of(sorted);
 }
 
 /// Grains with N bonds, for one N after the other: so every loop has a known length.
