@@ -273,12 +273,26 @@ struct Underway {
   bool any;
 };
 
+/// Rows and forces that take more bytes than this (half of a usual second-level cache) are called into the cache
+/// `ahead` vectors before the first stage needs them.
+inline constexpr std::size_t fits_cache = 1 << 20, ahead = 4;
+
+template <int D>
+JAM_INLINE void fetch_ahead(const PairArrays& p, const std::uint32_t* bodies) {
+  using R = Row<D>;
+  for (std::size_t l = 0; l < width; ++l) {
+    for (std::size_t c = 0; c < R::stride; c += 8) __builtin_prefetch(p.rows + bodies[l] * R::stride + c);
+    __builtin_prefetch(p.forces + bodies[l] * R::force_stride, 1);
+  }
+}
+
 /// Stages: distances, relative motion, law, sums. In two dimensions the first two are one, which is faster there: less
 /// goes through memory. Results of a stage are built in place: they are large.
 template <int D, NormalLaw law, bool friction, bool shifted>
 void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
   constexpr std::size_t to_law = D == 2 ? 1 : 2, to_sums = to_law + 1;
   const PairArrays p = arrays;  // pointers that no store can change
+  const bool out_of_cache = p.nobody * (Row<D>::stride + Row<D>::force_stride) * sizeof(double) > fits_cache;
   Underway<D> slots[4];
   const auto slot = [&](std::size_t k) -> Underway<D>& { return slots[k / width % 4]; };
   const auto is_due = [&](std::size_t k,
@@ -289,6 +303,7 @@ void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<
     new (&slot(k).touch) Touch<D>(to_touch<D, friction>(p, c, pointers<D, shifted>(p, k), g));
   };
   for (std::size_t k = range.begin; k < range.end + to_sums * width; k += width) {
+    if (out_of_cache && k + ahead * width < range.end) fetch_ahead<D>(p, p.j + k + ahead * width);
     if (k < range.end) {
       const PairPointers at = pointers<D, shifted>(p, k);
       const Geometry<D> g = distances<D, shifted>(p, at);
