@@ -38,14 +38,11 @@
     document.body.append(line);
   };
 
-  // Charts draw themselves in animation frames, which a busy machine may leave waiting: count until nothing more comes.
-  // A plot without a curve stays empty: do not wait for it for ever.
-  const settle = (drawn, calm, patience = 15) => {
+  // Charts draw themselves in animation frames: count until nothing more comes.
+  const settle = (drawn, calm) => {
     const now = document.querySelectorAll(".uplot, canvas").length;
-    const waiting = [...document.querySelectorAll(".plot")].some((p) => p.clientWidth > 40 && !p.querySelector(".uplot"));
-    const still = now === drawn && (!waiting || patience <= 0) ? calm + 1 : 0;
-    if (still > 4) report();
-    else setTimeout(() => settle(now, still, patience - 1), 200);
+    if (now === drawn && calm > 4) report();
+    else setTimeout(() => settle(now, now === drawn ? calm + 1 : 0), 200);
   };
 
   // Clicks through the legend and the packing fractions first: what they redraw must not fail either.
