@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 struct RunArguments {
   std::string study, out, shard = "1/1";
-  std::vector<std::string> settings;
+  std::vector<std::string> settings, only;
   int jobs = 0;
   double checkpoint = 60;
   bool dry_run = false, json = false, quiet = false, strict = false;
@@ -75,7 +75,8 @@ ExitCode run(const RunArguments& a) {
   options.checkpoint_interval = a.checkpoint;
   options.stop = stop_requested;
   chosen_measures(study);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> all = list_tasks(study);
+  const std::vector<Task> tasks = a.only.empty() ? all : tasks_of(study, all, a.only);
   if (a.dry_run) return dry_run(study, tasks, a, options.jobs);
 
   watch_stop_signals();
@@ -101,7 +102,7 @@ ExitCode run(const RunArguments& a) {
     fmt::print(stderr, "this share is done; tables and report are written when the last share ends\n");
     return result.failed > 0 ? ExitCode::some_failed : ExitCode::done;
   }
-  const std::size_t not_relaxed = write_results(study, tasks, out,
+  const std::size_t not_relaxed = write_results(study, all, out,
                                                 a.json    ? Summary::json
                                                 : a.quiet ? Summary::none
                                                           : Summary::text);
@@ -118,6 +119,9 @@ void add_run(CLI::App& program, Action& action) {
       ->required();
   sub->add_option("--out,-o", a->out, "folder of results (default: results/NAME)");
   sub->add_option("--jobs,-j", a->jobs, "simulations at a time (default: one a core)")->check(CLI::Range(1, 4096));
+  sub->add_option("--only", a->only, "do only the systems of these names: NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   sub->add_option("--shard", a->shard, "do only the i-th of n shares of the study: i/n");
   sub->add_option("--set", a->settings, "change an option: key=value, may be repeated")->allow_extra_args(false);
   sub->add_option("--checkpoint", a->checkpoint, "seconds between checkpoints of a simulation")
