@@ -31,7 +31,10 @@ struct RunArguments {
 };
 
 /// What a simple estimate takes for granted until the run itself measures: grain-steps a second of one core.
-double assumed_rate(const SystemOptions& system) { return is_container(system.domain.walls) ? 4e6 : 5e7; }
+double assumed_rate(const SystemOptions& system) {
+  if (is_container(system.domain.walls)) return system.domain.dimension == 2 ? 1e7 : 6e6;
+  return 5e7;
+}
 
 ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunArguments& a, int jobs) {
   const std::vector<std::size_t> order = order_tasks(tasks, read_shard(a.shard));
