@@ -185,7 +185,7 @@ TEST(LevelSweep, WindingEqualsASearchFromVertexToVertex) {
 }
 
 TEST(LevelSweep, OfNothing) {
-  EXPECT_EQ(level_sweep({}, kGrid), std::vector<ClusterLevel>(kGrid.size()));
+  EXPECT_EQ(level_sweep(WeightedGraph{}, kGrid), std::vector<ClusterLevel>(kGrid.size()));
   EXPECT_TRUE(level_sweep(chain(3, true), {}).empty());
 }
 
