@@ -3,6 +3,8 @@
 //   engine_bench state FILE STEPS    JSON: the forces of every contact at LAMMPS's step 0 by our law; positions,
 //                                    velocities, spins and forces of the grains at its steps 1 and STEPS by our engine
 //   engine_bench time FILE STEPS     JSON: seconds of the stepping loop alone
+//
+// A fourth argument is the number of threads that share a step.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -138,8 +140,9 @@ std::string grains(const jam::Packing& p) {
 }
 
 template <int D>
-int run(const std::string& mode, const State<D>& s, std::int64_t steps) {
+int run(const std::string& mode, const State<D>& s, std::int64_t steps, int threads) {
   jam::Engine<D> engine = enter(s);
+  engine.set_threads(threads);
   if (mode == "time") {
     const auto start = std::chrono::steady_clock::now();
     engine.run(steps);
@@ -162,15 +165,16 @@ int run(const std::string& mode, const State<D>& s, std::int64_t steps) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 4) throw jam::usage_error("usage: engine_bench state|time FILE STEPS");
+  if (argc != 4 && argc != 5) throw jam::usage_error("usage: engine_bench state|time FILE STEPS [THREADS]");
   const std::string mode = argv[1], path = argv[2];
   const std::int64_t steps = std::atoll(argv[3]);
+  const int threads = argc == 5 ? std::atoi(argv[4]) : 1;
   std::ifstream in(path);
   const auto value = read_header(in);
   const auto dimension = value.find("dimension");
   if (dimension == value.end()) throw jam::data_error("'dimension' is missing", path, "remove it and run again");
-  return dimension->second == 2 ? run(mode, read<2>(in, value, path), steps)
-                                : run(mode, read<3>(in, value, path), steps);
+  return dimension->second == 2 ? run(mode, read<2>(in, value, path), steps, threads)
+                                : run(mode, read<3>(in, value, path), steps, threads);
 } catch (const std::exception& error) {
   std::cerr << "engine_bench: " << error.what() << "\n";
   return 1;
