@@ -51,7 +51,7 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
   }
   wall_force_.assign(walls_.size(), Vec<D>{});
   bodies_.resize(setup.radius.size(), beads, scheme_ == Scheme::gear5);
-  parts_ = Parts(bodies_.grains, bodies_.beads);
+  parts_ = Parts(D, bodies_.grains, bodies_.beads);
   sums_.resize(parts_.with_grains());
   for (Sums& sums : sums_) sums.wall_force.resize(walls_.size());
   double mean = 0;

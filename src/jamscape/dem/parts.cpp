@@ -5,12 +5,18 @@
 
 namespace jam {
 
-Parts::Parts(std::size_t grains, std::size_t beads) : grains_(grains), beads_(beads), length_(grains) {
+namespace {
+
+std::size_t divide_up(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
+
+}  // namespace
+
+Parts::Parts(int dimension, std::size_t grains, std::size_t beads) : grains_(grains), beads_(beads), length_(grains) {
   if (grains < least_grains) return;
-  const std::size_t wanted = (grains + usual_grains - 1) / usual_grains;
-  length_ = (grains + wanted * tile - 1) / (wanted * tile) * tile;
-  with_grains_ = (grains + length_ - 1) / length_;
-  size_ = with_grains_ + (beads + beads_of_part - 1) / beads_of_part;
+  const std::size_t wanted = divide_up(grains, even * most_grains(dimension)) * even;
+  length_ = divide_up(grains, wanted * tile) * tile;
+  with_grains_ = divide_up(grains, length_);
+  size_ = with_grains_ + divide_up(beads, beads_of_part);
 }
 
 std::vector<std::uint32_t> deal_rounds(std::span<const Neighbours> neighbours, std::size_t parts) {

@@ -19,15 +19,17 @@ class Parts {
  public:
   /// Fewer grains than this are one part, together with all beads: threads would gain little there.
   static constexpr std::size_t least_grains = 20000;
-  /// Grains of a part, about: its bodies and pairs take half of a second-level cache of 2 MB. Smaller parts have more
-  /// pairs with others; larger ones cannot be dealt out evenly.
-  static constexpr std::size_t usual_grains = 2048;
+  /// Grains of a part at most. Smaller parts share more pairs with others, whose bodies have to be fetched once more:
+  /// spheres more than discs. Larger ones leave too few for many threads.
+  static constexpr std::size_t most_grains(int dimension) { return dimension == 2 ? 4096 : 8192; }
+  /// Parts are a multiple of this many, about: two and four threads then have equal shares.
+  static constexpr std::size_t even = 4;
   static constexpr std::size_t beads_of_part = 256;
   /// Grains of a part are a multiple of this, the tile of the pair list.
   static constexpr std::size_t tile = 64;
 
   Parts() = default;
-  Parts(std::size_t grains, std::size_t beads);
+  Parts(int dimension, std::size_t grains, std::size_t beads);
 
   /// That hold grains, the first ones.
   std::size_t with_grains() const { return with_grains_; }
