@@ -24,14 +24,17 @@ namespace fs = std::filesystem;
 
 struct RunArguments {
   std::string study, out, shard = "1/1";
-  std::vector<std::string> settings;
+  std::vector<std::string> settings, only;
   int jobs = 0, threads = 0;
   double checkpoint = 60;
   bool dry_run = false, json = false, quiet = false, strict = false;
 };
 
 /// What a simple estimate takes for granted until the run itself measures: grain-steps a second of one core.
-double assumed_rate(const SystemOptions& system) { return is_container(system.domain.walls) ? 4e6 : 5e7; }
+double assumed_rate(const SystemOptions& system) {
+  if (is_container(system.domain.walls)) return system.domain.dimension == 2 ? 1e7 : 6e6;
+  return 5e7;
+}
 
 ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunArguments& a, int jobs) {
   const std::vector<std::size_t> order = order_tasks(tasks, read_shard(a.shard));
@@ -83,7 +86,8 @@ ExitCode run(const RunArguments& a) {
   options.checkpoint_interval = a.checkpoint;
   options.stop = stop_requested;
   chosen_measures(study);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> all = list_tasks(study);
+  const std::vector<Task> tasks = a.only.empty() ? all : tasks_of(study, all, a.only);
   if (a.dry_run) return dry_run(study, tasks, a, options.jobs);
 
   watch_stop_signals();
@@ -110,7 +114,7 @@ ExitCode run(const RunArguments& a) {
     fmt::print(stderr, "this share is done; tables and report are written when the last share ends\n");
     return result.failed > 0 ? ExitCode::some_failed : ExitCode::done;
   }
-  const std::size_t not_relaxed = write_results(study, tasks, out,
+  const std::size_t not_relaxed = write_results(study, all, out,
                                                 a.json    ? Summary::json
                                                 : a.quiet ? Summary::none
                                                           : Summary::text);
@@ -131,6 +135,9 @@ void add_run(CLI::App& program, Action& action) {
                   "threads that share one simulation of 20000 discs or spheres or more; smaller ones and clusters have "
                   "one each. No result depends on it (default: cores that simulations at a time leave free)")
       ->check(CLI::Range(1, 4096));
+  sub->add_option("--only", a->only, "do only the systems of these names: NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   sub->add_option("--shard", a->shard, "do only the i-th of n shares of the study: i/n");
   sub->add_option("--set", a->settings, "change an option: key=value, may be repeated")->allow_extra_args(false);
   sub->add_option("--checkpoint", a->checkpoint, "seconds between checkpoints of a simulation")

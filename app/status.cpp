@@ -4,11 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "jamscape/base/files.hpp"
 #include "jamscape/base/progress.hpp"
 #include "jamscape/base/threads.hpp"
 #include "jamscape/study/results.hpp"
 #include "jamscape/study/task_folder.hpp"
+#include "jamscape/study/time_spent.hpp"
+#include "status_times.hpp"
 
 namespace jam::app {
 namespace {
@@ -28,26 +29,13 @@ std::size_t frames_taken(const TaskFolder& folder) {
   return n;
 }
 
-/// Grain-steps a second, from the runs that have ended; 0 when none has.
-double measured_rate(const TaskFolder& folder) {
-  std::error_code ignored;
-  if (!fs::exists(folder.path() / "log.jsonl", ignored)) return 0;
-  const std::string text = read_text(folder.path() / "log.jsonl");
-  double seconds = 0, steps = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const auto line = nlohmann::json::parse(text.substr(at, end - at), nullptr, false);
-    at = end + 1;
-    if (!line.is_object() || !line.contains("seconds")) continue;
-    seconds += line.value("seconds", 0.0);
-    if (line.value("event", "") == "finished") steps = line.value("steps", 0.0) * line.value("bodies", 0.0);
-  }
-  return seconds > 0 ? steps / seconds : 0;
-}
-
-ExitCode status(const std::string& dir, bool as_json) {
+ExitCode status(const std::string& dir, bool as_json, bool times) {
   const Study study = study_of_results(dir);
   const std::vector<Task> tasks = list_tasks(study);
+  if (times && !as_json) {
+    print_times(dir, study, tasks);
+    return ExitCode::done;
+  }
   std::size_t done = 0, failed = 0, at_work = 0;
   double left = 0, rate = 0, rates = 0;
   nlohmann::json list = nlohmann::json::array();
@@ -66,7 +54,8 @@ ExitCode status(const std::string& dir, bool as_json) {
     done += complete, at_work += busy, failed += state == "failed";
     if (!complete && !t.plan.frames.empty())
       left += t.cost() * (1 - static_cast<double>(taken) / static_cast<double>(t.plan.frames.size()));
-    if (const double r = measured_rate(folder); r > 0) rate += r, rates += 1;
+    const TimeSpent spent = time_spent(folder);
+    if (const double r = spent.rate(); r > 0) rate += r, rates += 1;
     const std::string& system = study.systems[t.system].name;
     if (as_json)
       list.push_back({{"task", t.hash},
@@ -75,6 +64,10 @@ ExitCode status(const std::string& dir, bool as_json) {
                       {"state", state},
                       {"frames", taken},
                       {"frames_planned", t.plan.frames.size()},
+                      {"steps", spent.steps},
+                      {"grains", t.plan.bodies},
+                      {"seconds", spent.seconds},
+                      {"cpu_seconds", spent.cpu_seconds},
                       {"reason", failure}});
     else
       fmt::print("{}  {:24}  realisation {:3}  {:11}  {:4}/{} frames{}\n", t.hash, system, t.realisation, state, taken,
@@ -102,9 +95,11 @@ void add_status(CLI::App& program, Action& action) {
       program.add_subcommand("status", "What is done, running and left of a study, and how long it will take");
   auto dir = std::make_shared<std::string>();
   auto as_json = std::make_shared<bool>(false);
+  auto times = std::make_shared<bool>(false);
   sub->add_option("dir", *dir, "folder of results")->required();
+  sub->add_flag("--times", *times, "what a run of each system costs, and all of them");
   sub->add_flag("--json", *as_json, "as one line of JSON");
-  sub->callback([=, &action] { action = [=] { return status(*dir, *as_json); }; });
+  sub->callback([=, &action] { action = [=] { return status(*dir, *as_json, *times); }; });
 }
 
 }  // namespace jam::app

@@ -14,7 +14,14 @@ class OnResults(Case):
     def test_status(self):
         text = self.program("status", "out").stdout
         self.assertIn("4 of 4 runs done", text)
+        times = self.program("status", "out", "--times").stdout
+        self.assertRegex(times, r"smooth +2 of 2 .* s\b")
+        self.assertRegex(times, r"the whole study: .* cores")
         status = json.loads(self.program("status", "out", "--json").stdout)
+        for task in status["tasks"]:
+            self.assertGreater(task["steps"], 0)
+            self.assertGreater(task["seconds"], 0)
+            self.assertLessEqual(0, task["cpu_seconds"])
         self.assertEqual((status["done"], status["failed"], status["running"]), (4, 0, 0))
 
     def test_report_again(self):

@@ -37,6 +37,18 @@ class Runs(Case):
         self.program("run", "tiny.toml", "--out", "many", "--jobs", "3", "--quiet")
         self.assert_same_results("one", "many")
 
+    def test_one_system_at_a_time(self):
+        self.program("run", "tiny.toml", "--out", "whole", "--quiet")
+        first = self.program("run", "tiny.toml", "--out", "parts", "--only", "rough", "--json")
+        self.assertEqual(self.simulated(first), 2)
+        self.assertEqual({r["system"] for r in self.rows("parts/tables/frames.csv")}, {"rough"})
+        self.assertTrue((self.folder / "parts/report.html").is_file())
+        self.program("run", "tiny.toml", "--out", "parts", "--only", "smooth,rough", "--quiet")
+        self.assert_same_results("whole", "parts")
+        error = self.program("run", "tiny.toml", "--out", "new", "--only", "smoth", code=2).stderr
+        self.assertIn("did you mean 'smooth'", error)
+        self.assertFalse((self.folder / "new").exists())
+
     def test_shards(self):
         self.program("run", "tiny.toml", "--out", "whole", "--quiet")
         first = self.program("run", "tiny.toml", "--out", "parts", "--shard", "1/2", "--json")

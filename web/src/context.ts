@@ -1,6 +1,7 @@
 // What every section is given, and what the sections share.
-import type { Chart, ChartOptions, Line, Mark } from "./chart/chart";
+import type { Chart } from "./chart/chart";
 import { chart } from "./chart/chart";
+import type { ChartOptions, Line, Mark } from "./chart/options";
 import type { Data, Estimate } from "./data";
 import { jammingOf, jammingSymbol } from "./data";
 import { h } from "./dom";

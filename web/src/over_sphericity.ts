@@ -1,5 +1,5 @@
 // A quantity of the final states over the sphericity of the grains: a line per kind of container, and published values.
-import type { ChartOptions, Line } from "./chart/chart";
+import type { ChartOptions, Line } from "./chart/options";
 import type { Context } from "./context";
 import { finalValue, shapeOf } from "./data";
 import { h, markup } from "./dom";

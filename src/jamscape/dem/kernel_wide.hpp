@@ -17,7 +17,8 @@ inline constexpr std::size_t width = static_cast<std::size_t>(Lanes::width), par
 
 /// Where `width` pairs have their data.
 struct PairPointers {
-  const std::uint32_t *i, *j, *shift;
+  const std::uint32_t *i, *j;  ///< bodies, or where their rows begin (in doubles): see `distances`
+  const std::uint32_t* shift;
   const double* mbar;
   double* springs;  ///< components `block` apart
 };
@@ -47,7 +48,7 @@ struct WideTally {
 template <int D>
 struct Geometry {
   Vec<D, Lanes> d;  ///< from i to j
-  Lanes radius_i, radius_j, reach, r2;
+  Lanes radius_i, radius_j, reach, r2, r;
   Mask touching;
 };
 
@@ -75,57 +76,72 @@ template <int D>
 struct Touch {
   Vec<D, Lanes> n;
   Lanes x, r, lever_i, lever_j;
-  Vec<D, Lanes> v;       ///< v_i - v_j
-  Axial<D, Lanes> lw{};  ///< l_i w_i + l_j w_j
+  Vec<D, Lanes> v;     ///< v_i - v_j
+  Axial<D, Lanes> lw;  ///< l_i w_i + l_j w_j; with friction only
   Mask touching;
 };
 
+/// `unit`: what i and j of `at` count by, in doubles: the stride of rows, or 1.
+template <int D, bool shifted, std::size_t unit>
+JAM_INLINE void distances(const PairArrays& p, const PairPointers& at, Geometry<D>& g) {
+  const Turned a = load_turned(p.rows, at.i, unit), b = load_turned(p.rows, at.j, unit);
+  const Columns ca = columns(a), cb = columns(b);
+  if constexpr (D == 2) {
+    Columns s;
+    if constexpr (shifted) s = load_rows(p.shifts, at.shift, 4);
+    for (int e = 0; e < D; ++e) g.d[e] = (shifted ? cb.c[e] + s.c[e] : cb.c[e]) - ca.c[e];
+  } else {  // subtracted before they are turned
+    Columns d;
+    if constexpr (shifted)
+      d = columns((b + load_turned(p.shifts, at.shift, 4)) - a);
+    else
+      d = columns(b - a);
+    for (int e = 0; e < D; ++e) g.d[e] = d.c[e];
+  }
+  g.radius_i = ca.c[3], g.radius_j = cb.c[3];
+  g.reach = g.radius_i + g.radius_j;
+  g.r2 = dot(g.d, g.d);
+  g.r = square_root(g.r2);
+  g.touching = g.r2 < g.reach * g.reach;
+}
+template <int D, bool shifted, std::size_t unit>
+JAM_INLINE Geometry<D> distances(const PairArrays& p, const PairPointers& at) {
+  Geometry<D> g;
+  distances<D, shifted, unit>(p, at, g);
+  return g;
+}
+
+/// i and j of `at`: where the rows begin.
 template <int D, bool friction>
-JAM_INLINE Touch<D> to_touch(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at,
-                             const Geometry<D>& g) {
+JAM_INLINE void to_touch(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at, const Geometry<D>& g,
+                         Touch<D>& t) {
   using R = Row<D>;
-  Touch<D> t;
-  t.r = square_root(g.r2);
+  t.r = g.r;
   t.n = (Lanes(1.0) / t.r) * g.d;
   t.x = g.reach - t.r;
   t.lever_i = g.radius_i - c.lever_cut * t.x, t.lever_j = g.radius_j - c.lever_cut * t.x;
   t.touching = g.touching;
-  const Columns va = load_rows(p.rows + R::velocity, at.i, R::stride),
-                vb = load_rows(p.rows + R::velocity, at.j, R::stride);
-  for (int e = 0; e < D; ++e) t.v[e] = va.c[e] - vb.c[e];
-  if constexpr (friction && D == 2) {
-    t.lw = t.lever_i * va.c[2] + t.lever_j * vb.c[2];
-  } else if constexpr (friction) {
-    const Columns wa = load_rows(p.rows + R::spin, at.i, R::stride), wb = load_rows(p.rows + R::spin, at.j, R::stride);
-    for (int e = 0; e < 3; ++e) t.lw[e] = t.lever_i * wa.c[e] + t.lever_j * wb.c[e];
+  if constexpr (D == 2) {
+    const Columns va = load_rows(p.rows + R::velocity, at.i, 1), vb = load_rows(p.rows + R::velocity, at.j, 1);
+    for (int e = 0; e < 2; ++e) t.v[e] = va.c[e] - vb.c[e];
+    if constexpr (friction) t.lw = t.lever_i * va.c[2] + t.lever_j * vb.c[2];
+  } else {
+    const Columns v = columns(load_turned(p.rows + R::velocity, at.i, 1) - load_turned(p.rows + R::velocity, at.j, 1));
+    for (int e = 0; e < 3; ++e) t.v[e] = v.c[e];
+    if constexpr (friction) {
+      const Columns wa = load_rows(p.rows + R::spin, at.i, 1), wb = load_rows(p.rows + R::spin, at.j, 1);
+      for (int e = 0; e < 3; ++e) t.lw[e] = t.lever_i * wa.c[e] + t.lever_j * wb.c[e];
+    }
   }
-  return t;
 }
 
-/// Force on i and torques on both, zero where nothing touches.
+/// What `width` pairs do to their bodies: force and turn_i are added to the forces of i, force and back_j subtracted
+/// from those of j. Zero where nothing touches.
 template <int D>
 struct Push {
   Vec<D, Lanes> force;
-  Axial<D, Lanes> turn_i{}, turn_j{};
+  Axial<D, Lanes> turn_i, back_j;
 };
-
-template <int D, bool shifted>
-JAM_INLINE Geometry<D> distances(const PairArrays& p, const PairPointers& at) {
-  const Columns a = load_rows(p.rows, at.i, Row<D>::stride), b = load_rows(p.rows, at.j, Row<D>::stride);
-  Geometry<D> g;
-  if constexpr (shifted) {
-    const Columns s = load_rows(p.shifts, at.shift, 4);
-    for (int e = 0; e < D; ++e) g.d[e] = (b.c[e] + s.c[e]) - a.c[e];
-  } else {
-    for (int e = 0; e < D; ++e) g.d[e] = b.c[e] - a.c[e];
-  }
-  g.radius_i = a.c[3];
-  g.radius_j = b.c[3];
-  g.reach = g.radius_i + g.radius_j;
-  g.r2 = dot(g.d, g.d);
-  g.touching = g.r2 < g.reach * g.reach;
-  return g;
-}
 
 template <int D>
 JAM_INLINE Axial<D, Lanes> load_springs(const double* stored) {
@@ -148,66 +164,64 @@ JAM_INLINE void erase_parted(const PairLaw<Lanes>& c, Mask touching, double* sto
 
 template <int D, bool friction>
 JAM_INLINE void add_push(const PairArrays& p, const PairPointers& at, const Push<D>& f) {
-  using R = Row<D>;
+  static_assert(Row<D>::stride == 2 * Row<D>::force_stride);
   const Lanes zero(0.0);
   if constexpr (D == 2) {
-    const Rows on_i = to_rows({{f.force[0], f.force[1], f.turn_i, zero}}),
-               on_j = to_rows({{-f.force[0], -f.force[1], f.turn_j, zero}});
+    const Rows on_i = to_rows({{f.force[0], f.force[1], friction ? f.turn_i : zero, zero}}),
+               off_j = to_rows({{f.force[0], f.force[1], friction ? f.back_j : zero, zero}});
     for (std::size_t l = 0; l < width; ++l) {
-      add_to(p.forces + at.i[l] * R::force_stride, on_i.row[l]);
-      add_to(p.forces + at.j[l] * R::force_stride, on_j.row[l]);
+      add_to(p.forces + at.i[l] / 2, on_i.row[l]);
+      subtract_from(p.forces + at.j[l] / 2, off_j.row[l]);
     }
   } else {
     // force and torque of a body side by side: one sum of eight doubles
-    const Turned force = turned({{f.force[0], f.force[1], f.force[2], zero}}), back = -force;
-    Turned turn_i = turned({{zero, zero, zero, zero}}), turn_j = turn_i;
+    const Turned force = turned({{f.force[0], f.force[1], f.force[2], zero}});
+    Turned turn_i = turned({{zero, zero, zero, zero}}), back_j = turn_i;
     if constexpr (friction) {
       turn_i = turned({{f.turn_i[0], f.turn_i[1], f.turn_i[2], zero}});
-      turn_j = turned({{f.turn_j[0], f.turn_j[1], f.turn_j[2], zero}});
+      back_j = turned({{f.back_j[0], f.back_j[1], f.back_j[2], zero}});
     }
     for (std::size_t l = 0; l < width; ++l) {
-      add_two_to(p.forces + at.i[l] * R::force_stride, force, turn_i, l);
-      add_two_to(p.forces + at.j[l] * R::force_stride, back, turn_j, l);
+      add_two_to(p.forces + at.i[l] / 2, force, turn_i, l);
+      subtract_two_from(p.forces + at.j[l] / 2, force, back_j, l);
     }
   }
 }
 
 /// The law for the pairs of one vector; the springs of those that touch are advanced.
 template <int D, NormalLaw law, bool friction>
-JAM_INLINE Push<D> push_of(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at, const Touch<D>& t,
-                           WideTally& tally, std::size_t q) {
+JAM_INLINE void push_of(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at, const Touch<D>& t,
+                        WideTally& tally, std::size_t q, Push<D>& push) {
   Axial<D, Lanes> spring{};
   if constexpr (friction) spring = load_springs<D>(at.springs);
   const auto f = touch<D, law, friction>(c, t.n, t.x, Lanes::load(at.mbar), t.v, t.lw, spring, Lanes(p.dt));
   tally.damped[q] = tally.damped[q] + select_or_zero(t.touching, f.damped);
   tally.virial[q] = tally.virial[q] + select_or_zero(t.touching, f.normal * t.r);
   tally.deepest[q] = larger(tally.deepest[q], t.x);
-
-  const Lanes push = -f.normal;
-  Push<D> out;
-  if constexpr (!friction) {
-    for (int e = 0; e < D; ++e) out.force[e] = select_or_zero(t.touching, push * t.n[e]);
-  } else {
+  if constexpr (friction) {
     tally.rubbed[q] = tally.rubbed[q] + select_or_zero(t.touching, f.rubbed);
     for (int e = 0; e < axes<D>; ++e) {
       double* stored = at.springs + static_cast<std::size_t>(e) * block;
       select(t.touching, component<D>(spring, e), Lanes::load(stored)).store(stored);
     }
-    if constexpr (D == 2) {
-      out.force[0] = select_or_zero(t.touching, push * t.n[0] - f.tangential * t.n[1]);
-      out.force[1] = select_or_zero(t.touching, push * t.n[1] + f.tangential * t.n[0]);
-      const Lanes along = select_or_zero(t.touching, f.tangential);
-      out.turn_i = t.lever_i * along, out.turn_j = t.lever_j * along;
-    } else {
-      const Vec<3, Lanes> total = push * t.n + f.tangential, twist = cross(t.n, f.tangential);
-      for (int e = 0; e < 3; ++e) {
-        out.force[e] = select_or_zero(t.touching, total[e]);
-        const Lanes turn = select_or_zero(t.touching, twist[e]);
-        out.turn_i[e] = t.lever_i * turn, out.turn_j[e] = t.lever_j * turn;
-      }
+  }
+
+  if constexpr (!friction) {
+    for (int e = 0; e < D; ++e) push.force[e] = select_or_zero(t.touching, -(f.normal * t.n[e]));
+  } else if constexpr (D == 2) {
+    push.force[0] = select_or_zero(t.touching, -(f.normal * t.n[0]) - f.tangential * t.n[1]);
+    push.force[1] = select_or_zero(t.touching, f.tangential * t.n[0] - f.normal * t.n[1]);
+    const Lanes along = select_or_zero(t.touching, f.tangential);
+    push.turn_i = t.lever_i * along, push.back_j = -t.lever_j * along;
+  } else {
+    const Vec<3, Lanes> twist = cross(t.n, f.tangential);
+    const Lanes back = -t.lever_j;
+    for (int e = 0; e < 3; ++e) {
+      push.force[e] = select_or_zero(t.touching, f.tangential[e] - f.normal * t.n[e]);
+      const Lanes turn = select_or_zero(t.touching, twist[e]);
+      push.turn_i[e] = t.lever_i * turn, push.back_j[e] = back * turn;
     }
   }
-  return out;
 }
 
 /// Touching pairs on their way into a block of their own. Lanes before `first` are done.
@@ -215,12 +229,14 @@ template <int D>
 struct alignas(64) Collected {
   static constexpr std::size_t components = axes<D>;
   double springs[components * block], mbar[block];
-  double* home[block];  ///< of the springs
-  std::uint32_t i[block], j[block], shift[block];
+  double* home[block];               ///< of the springs
+  std::uint32_t i[block], j[block];  ///< where the rows begin
+  std::uint32_t shift[block];
   std::size_t first = 0, count = 0;
 
   JAM_INLINE void add(const PairArrays& p, std::size_t k, double* stored) {
-    i[count] = p.i[k], j[count] = p.j[k], mbar[count] = p.mbar[k], home[count] = stored;
+    constexpr auto stride = static_cast<std::uint32_t>(Row<D>::stride);
+    i[count] = p.i[k] * stride, j[count] = p.j[k] * stride, mbar[count] = p.mbar[k], home[count] = stored;
     if (p.shift) shift[count] = p.shift[k];
     for (std::size_t e = 0; e < components; ++e) springs[e * block + count] = stored[e * block];
     ++count;
@@ -243,9 +259,12 @@ void flush(const PairArrays& p, const PairLaw<Lanes>& c, Collected<D>& pending, 
     if (!bits) continue;
     const PairPointers at{pending.i + q * width, pending.j + q * width, pending.shift + q * width,
                           pending.mbar + q * width, pending.springs + q * width};
-    Touch<D> g = to_touch<D, friction>(p, c, at, distances<D, shifted>(p, at));
-    g.touching = lanes_of(static_cast<std::uint8_t>(bits));
-    add_push<D, friction>(p, at, push_of<D, law, friction>(p, c, at, g, tally, q));
+    Touch<D> t;
+    to_touch<D, friction>(p, c, at, distances<D, shifted, 1>(p, at), t);
+    t.touching = lanes_of(static_cast<std::uint8_t>(bits));
+    Push<D> push;
+    push_of<D, law, friction>(p, c, at, t, tally, q, push);
+    add_push<D, friction>(p, at, push);
   }
   if constexpr (friction)
     for (std::size_t k = first; k < count; ++k)
@@ -270,6 +289,7 @@ struct Underway {
   Geometry<D> geometry;
   Touch<D> touch;
   Push<D> push;
+  alignas(64) std::uint32_t i[block], j[block];  ///< where the rows begin
   bool any;
 };
 
@@ -286,46 +306,54 @@ JAM_INLINE void fetch_ahead(const PairArrays& p, const std::uint32_t* bodies) {
   }
 }
 
+template <int D>
+JAM_INLINE void row_starts(const std::uint32_t* bodies, std::uint32_t* starts) {
+  static_assert(Row<D>::stride == (D == 2 ? 8 : 16));
+  constexpr hn::CappedTag<std::uint32_t, width> d;
+  hn::Store(hn::ShiftLeft<(D == 2 ? 3 : 4)>(hn::Load(d, bodies)), d, starts);
+}
+
 /// Stages: distances, relative motion, law, sums. In two dimensions the first two are one, which is faster there: less
 /// goes through memory. Results of a stage are built in place: they are large.
 template <int D, NormalLaw law, bool friction, bool shifted>
 void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
   constexpr std::size_t to_law = D == 2 ? 1 : 2, to_sums = to_law + 1;
   const PairArrays p = arrays;  // pointers that no store can change
+  const std::size_t begin = range.begin, end = range.end;
   const bool out_of_cache = p.nobody * (Row<D>::stride + Row<D>::force_stride) * sizeof(double) > fits_cache;
   Underway<D> slots[4];
   const auto slot = [&](std::size_t k) -> Underway<D>& { return slots[k / width % 4]; };
   const auto is_due = [&](std::size_t k,
                           std::size_t stage) {  // the vector `stage` before k, unless it has no touching pair
-    return k >= range.begin + stage * width && k < range.end + stage * width && slot(k - stage * width).any;
+    return k >= begin + stage * width && k < end + stage * width && slot(k - stage * width).any;
   };
-  const auto move = [&](std::size_t k, const Geometry<D>& g) {
-    new (&slot(k).touch) Touch<D>(to_touch<D, friction>(p, c, pointers<D, shifted>(p, k), g));
+  const auto where = [&](std::size_t k) -> PairPointers {
+    return {slot(k).i, slot(k).j, shifted ? p.shift + k : nullptr, p.mbar + k, spring_of<D>(p, k)};
   };
-  for (std::size_t k = range.begin; k < range.end + to_sums * width; k += width) {
-    if (out_of_cache && k + ahead * width < range.end) fetch_ahead<D>(p, p.j + k + ahead * width);
-    if (k < range.end) {
-      const PairPointers at = pointers<D, shifted>(p, k);
-      const Geometry<D> g = distances<D, shifted>(p, at);
-      const std::uint32_t bits = lane_bits(g.touching);
-      slot(k).any = bits != 0;
-      if constexpr (D == 2)
-        move(k, g);
-      else
-        new (&slot(k).geometry) Geometry<D>(g);
+  for (std::size_t k = begin; k < end + to_sums * width; k += width) {
+    if (out_of_cache && k + ahead * width < end) fetch_ahead<D>(p, p.j + k + ahead * width);
+    if (k < end) {
+      Underway<D>& u = slot(k);
+      row_starts<D>(p.i + k, u.i);
+      row_starts<D>(p.j + k, u.j);
+      const PairPointers at{p.i + k, p.j + k, shifted ? p.shift + k : nullptr, nullptr, nullptr};
+      distances<D, shifted, Row<D>::stride>(p, at, u.geometry);
+      const std::uint32_t bits = lane_bits(u.geometry.touching);
+      u.any = bits != 0;
+      if constexpr (D == 2) to_touch<D, friction>(p, c, where(k), u.geometry, u.touch);
       if constexpr (friction)
-        if (bits != (1u << width) - 1) erase_parted<D, law>(c, g.touching, at.springs, tally.rubbed[k / width % parts]);
+        if (bits != (1u << width) - 1)
+          erase_parted<D, law>(c, u.geometry.touching, spring_of<D>(p, k), tally.rubbed[k / width % parts]);
     }
     if constexpr (D == 3)
-      if (is_due(k, 1)) move(k - width, slot(k - width).geometry);
+      if (is_due(k, 1)) to_touch<D, friction>(p, c, where(k - width), slot(k - width).geometry, slot(k - width).touch);
     if (is_due(k, to_law)) {
       const std::size_t m = k - to_law * width;
-      new (&slot(m).push)
-          Push<D>(push_of<D, law, friction>(p, c, pointers<D, shifted>(p, m), slot(m).touch, tally, m / width % parts));
+      push_of<D, law, friction>(p, c, where(m), slot(m).touch, tally, m / width % parts, slot(m).push);
     }
     if (is_due(k, to_sums)) {
       const std::size_t m = k - to_sums * width;
-      add_push<D, friction>(p, pointers<D, shifted>(p, m), slot(m).push);
+      add_push<D, friction>(p, where(m), slot(m).push);
     }
   }
 }
@@ -354,7 +382,7 @@ void sparse_loop(const PairArrays& p, const PairRange& range, const PairLaw<Lane
     std::uint32_t touching = 0;
     for (std::size_t l = 0; l < block; l += width) {
       const PairPointers at{w.i + q + l, w.j + q + l, shifted ? w.shift + q + l : nullptr, nullptr, nullptr};
-      touching |= lane_bits(distances<D, shifted>(p, at).touching) << l;
+      touching |= lane_bits(distances<D, shifted, Row<D>::stride>(p, at).touching) << l;
     }
     const std::uint32_t parted = w.touching[q / block] & ~touching;
     if (!(touching | parted)) continue;
@@ -389,7 +417,7 @@ std::size_t watch_range(const PairArrays& p, const PairRange& range, double marg
   std::size_t to = range.begin;
   for (std::size_t k = range.begin; k < range.end; k += width) {
     const PairPointers at = pointers<D, shifted>(p, k);
-    const Geometry<D> g = distances<D, shifted>(p, at);
+    const Geometry<D> g = distances<D, shifted, Row<D>::stride>(p, at);
     const Lanes far = g.reach + Lanes(margin);
     const std::uint32_t held = sprung<D>(at.springs);
     for (std::uint32_t bits = lane_bits(g.r2 < far * far) | held; bits; bits &= bits - 1) {

@@ -63,49 +63,78 @@ struct Columns {
   Lanes c[4];
 };
 
-/// Rows k and (for eight lanes) k + 4 side by side.
-template <class T = Tag>
-JAM_INLINE hn::Vec<T> row_pair(const double* base, const std::uint32_t* index, int k, std::size_t stride) {
-  const auto lower = hn::Load(Tag4(), base + index[k] * stride);
-  if constexpr (hn::MaxLanes(T()) == 8)
-    return hn::Combine(T(), hn::Load(Tag4(), base + index[k + 4] * stride), lower);
-  else
-    return lower;
-}
-
-/// Loads the rows base[index[l] * stride ...+3] of all lanes l and transposes them: column c holds element c of each
-/// row. Whole rows come with one load each, which beats gathering element by element.
-JAM_INLINE Columns load_rows(const double* base, const std::uint32_t* index, std::size_t stride) {
-  const Tag d;
-  const auto a = row_pair(base, index, 0, stride), b = row_pair(base, index, 1, stride);
-  const auto c = row_pair(base, index, 2, stride), e = row_pair(base, index, 3, stride);
-  const auto ab02 = hn::InterleaveLower(d, a, b), ab13 = hn::InterleaveUpper(d, a, b);
-  const auto ce02 = hn::InterleaveLower(d, c, e), ce13 = hn::InterleaveUpper(d, c, e);
-  return {{hn::OddEvenBlocks(hn::SwapAdjacentBlocks(ce02), ab02), hn::OddEvenBlocks(hn::SwapAdjacentBlocks(ce13), ab13),
-           hn::OddEvenBlocks(ce02, hn::SwapAdjacentBlocks(ab02)),
-           hn::OddEvenBlocks(ce13, hn::SwapAdjacentBlocks(ab13))}};
-}
-
-/// Columns turned into rows: part l holds row l and (for eight lanes) row l + 4 side by side.
+/// `width` rows of four doubles: part l holds row l and (for eight lanes) row l + 4 side by side.
 template <class T = Tag>
 struct TurnedRows {
   hn::Vec<T> part[4];
 };
 using Turned = TurnedRows<>;
+JAM_INLINE Turned operator+(const Turned& a, const Turned& b) {
+  return {{hn::Add(a.part[0], b.part[0]), hn::Add(a.part[1], b.part[1]), hn::Add(a.part[2], b.part[2]),
+           hn::Add(a.part[3], b.part[3])}};
+}
+JAM_INLINE Turned operator-(const Turned& a, const Turned& b) {
+  return {{hn::Sub(a.part[0], b.part[0]), hn::Sub(a.part[1], b.part[1]), hn::Sub(a.part[2], b.part[2]),
+           hn::Sub(a.part[3], b.part[3])}};
+}
 JAM_INLINE Turned operator-(const Turned& a) {
   return {{hn::Neg(a.part[0]), hn::Neg(a.part[1]), hn::Neg(a.part[2]), hn::Neg(a.part[3])}};
 }
+
+/// The rows base[index[l] * stride ...+3] of all lanes l. Whole rows come with one load each, which beats gathering
+/// element by element.
+template <class T = Tag>
+JAM_INLINE TurnedRows<T> load_turned(const double* base, const std::uint32_t* index, std::size_t stride) {
+  TurnedRows<T> rows;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto lower = hn::Load(Tag4(), base + index[k] * stride);
+    if constexpr (hn::MaxLanes(T()) == 8)
+      rows.part[k] = hn::Combine(T(), hn::Load(Tag4(), base + index[k + 4] * stride), lower);
+    else
+      rows.part[k] = lower;
+  }
+  return rows;
+}
+
+/// In each group of four: the first two of a and of b.
+template <class V>
+JAM_INLINE V first_twos(V a, V b) {
+#if HWY_MAX_BYTES == 64
+  return V{_mm512_permutex2var_pd(a.raw, _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), b.raw)};
+#else
+  return hn::ConcatLowerLower(Tag(), b, a);
+#endif
+}
+/// In each group of four: the last two of a and of b.
+template <class V>
+JAM_INLINE V last_twos(V a, V b) {
+#if HWY_MAX_BYTES == 64
+  return V{_mm512_permutex2var_pd(a.raw, _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15), b.raw)};
+#else
+  return hn::ConcatUpperUpper(Tag(), b, a);
+#endif
+}
+
+/// Column c holds element c of each row. Columns nobody reads cost nothing.
+JAM_INLINE Columns columns(const Turned& x) {
+  const Tag d;
+  const auto ab02 = hn::InterleaveLower(d, x.part[0], x.part[1]), ab13 = hn::InterleaveUpper(d, x.part[0], x.part[1]);
+  const auto ce02 = hn::InterleaveLower(d, x.part[2], x.part[3]), ce13 = hn::InterleaveUpper(d, x.part[2], x.part[3]);
+  return {{first_twos(ab02, ce02), first_twos(ab13, ce13), last_twos(ab02, ce02), last_twos(ab13, ce13)}};
+}
+JAM_INLINE Columns load_rows(const double* base, const std::uint32_t* index, std::size_t stride) {
+  return columns(load_turned(base, index, stride));
+}
+
+/// The inverse of columns().
 JAM_INLINE Turned turned(const Columns& x) {
   const Tag d;
   const auto p_even = hn::InterleaveLower(d, x.c[0].v, x.c[1].v), p_odd = hn::InterleaveUpper(d, x.c[0].v, x.c[1].v);
   const auto q_even = hn::InterleaveLower(d, x.c[2].v, x.c[3].v), q_odd = hn::InterleaveUpper(d, x.c[2].v, x.c[3].v);
-  return {{hn::OddEvenBlocks(hn::SwapAdjacentBlocks(q_even), p_even),
-           hn::OddEvenBlocks(hn::SwapAdjacentBlocks(q_odd), p_odd),
-           hn::OddEvenBlocks(q_even, hn::SwapAdjacentBlocks(p_even)),
-           hn::OddEvenBlocks(q_odd, hn::SwapAdjacentBlocks(p_odd))}};
+  return {{first_twos(p_even, q_even), first_twos(p_odd, q_odd), last_twos(p_even, q_even), last_twos(p_odd, q_odd)}};
 }
 
-/// The inverse of load_rows in registers: rows of four doubles, in the order of the lanes.
+/// The inverse of load_rows: rows of four doubles, in the order of the lanes.
 struct Rows {
   hn::Vec<Tag4> row[8];
 };
@@ -128,17 +157,35 @@ JAM_INLINE Rows to_rows(const Columns& x) {
 
 JAM_INLINE void add_to(double* p, hn::Vec<Tag4> row) { hn::Store(hn::Add(hn::Load(Tag4(), p), row), Tag4(), p); }
 
+JAM_INLINE void subtract_from(double* p, hn::Vec<Tag4> row) { hn::Store(hn::Sub(hn::Load(Tag4(), p), row), Tag4(), p); }
+
+/// Row l of `a` and, behind it, row l of `b`: for eight lanes.
+template <class T>
+JAM_INLINE hn::Vec<T> row_of_two(const TurnedRows<T>& a, const TurnedRows<T>& b, std::size_t l) {
+  const T d;
+  return l < 4 ? hn::ConcatLowerLower(d, b.part[l % 4], a.part[l % 4])
+               : hn::ConcatUpperUpper(d, b.part[l % 4], a.part[l % 4]);
+}
+
 /// Adds row l of `a` and, behind it, row l of `b`.
 template <class T>
 JAM_INLINE void add_two_to(double* p, const TurnedRows<T>& a, const TurnedRows<T>& b, std::size_t l) {
   const T d;
   if constexpr (hn::MaxLanes(d) == 8) {
-    const auto row = l < 4 ? hn::ConcatLowerLower(d, b.part[l % 4], a.part[l % 4])
-                           : hn::ConcatUpperUpper(d, b.part[l % 4], a.part[l % 4]);
-    hn::Store(hn::Add(hn::Load(d, p), row), d, p);
+    hn::Store(hn::Add(hn::Load(d, p), row_of_two(a, b, l)), d, p);
   } else {
     add_to(p, a.part[l]);
     add_to(p + 4, b.part[l]);
+  }
+}
+template <class T>
+JAM_INLINE void subtract_two_from(double* p, const TurnedRows<T>& a, const TurnedRows<T>& b, std::size_t l) {
+  const T d;
+  if constexpr (hn::MaxLanes(d) == 8) {
+    hn::Store(hn::Sub(hn::Load(d, p), row_of_two(a, b, l)), d, p);
+  } else {
+    subtract_from(p, a.part[l]);
+    subtract_from(p + 4, b.part[l]);
   }
 }
 

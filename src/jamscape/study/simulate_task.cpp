@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -20,6 +21,13 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* frames_done_entry = "study/frames_done";
 constexpr const char* plan_entry = "study/plan";
+
+/// Processor time of this thread, which leads one simulation.
+double cpu_now() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
 
 /// Which frames were planned; a checkpoint is of use only to a run that plans the same.
 std::string plan_key(const Plan& plan) {
@@ -146,6 +154,7 @@ Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& fo
   make_folder(folder.path());
   write_text(folder.path() / "task.toml", task_text(study, task));
   const auto begin = Clock::now();
+  const double cpu_begin = cpu_now();
   Outcome outcome = simulate_rest(study, task, folder, hooks);
   if (outcome == Outcome::finished) try {
       assemble(study, task, folder);
@@ -164,6 +173,7 @@ Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& fo
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   folder.log(nlohmann::json{{"event", outcome == Outcome::finished ? "finished" : "stopped"},
                             {"seconds", seconds},
+                            {"cpu_seconds", cpu_now() - cpu_begin},
                             {"steps", outcome == Outcome::finished ? last_step(task, folder) : task.plan.steps},
                             {"bodies", task.plan.bodies}}
                  .dump());

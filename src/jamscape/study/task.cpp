@@ -8,6 +8,7 @@
 #include <set>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/base/nearest.hpp"
 #include "jamscape/protocol/start.hpp"
 #include "jamscape/study/identity.hpp"
 
@@ -51,6 +52,26 @@ std::vector<Task> list_tasks(const Study& study) {
     }
   }
   return tasks;
+}
+
+std::vector<Task> tasks_of(const Study& study, const std::vector<Task>& tasks,
+                           const std::vector<std::string>& systems) {
+  std::vector<std::string> known;
+  for (const System& system : study.systems) known.push_back(system.name);
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const std::string& name : systems) {
+    if (has(known, name)) continue;
+    const std::string near = nearest(name, known);
+    throw usage_error(fmt::format("the study has no system '{}'", name), study.file,
+                      near.empty() ? fmt::format("its systems: {}", fmt::join(known, ", "))
+                                   : fmt::format("did you mean '{}'?", near));
+  }
+  std::vector<Task> chosen;
+  for (const Task& task : tasks)
+    if (has(systems, known[task.system])) chosen.push_back(task);
+  return chosen;
 }
 
 Shard read_shard(const std::string& text) {

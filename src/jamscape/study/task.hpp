@@ -26,6 +26,9 @@ struct Task {
 /// for a system that cannot be.
 std::vector<Task> list_tasks(const Study& study);
 
+/// The tasks of the systems of these names. Throws a usage error for a name that no system has.
+std::vector<Task> tasks_of(const Study& study, const std::vector<Task>& tasks, const std::vector<std::string>& systems);
+
 /// Which part of the tasks a runner does: tasks index, index + count, ... (index from 1 as on the command line).
 struct Shard {
   int index = 1, count = 1;

@@ -92,27 +92,47 @@ class Writer {
     }
   }
 
+  /// Every clique of dimension k that occurs in a pair, each once.
+  template <class Visit>
+  void visit_cliques(int k, const Visit& visit) {
+    for (auto& p : diagram_.pairs) {
+      if (p.dimension == k) visit(p.birth_cell);
+      if (p.dimension + 1 == k && !p.essential) visit(p.death_cell);
+    }
+  }
+
   /// Keeps the cliques that occur in pairs, in order, and renames the pairs' cells accordingly.
   void name_cliques(const Cliques& cliques) {
     const auto k = static_cast<int>(cliques.dimension);
-    std::vector<CellId*> used;
-    for (auto& p : diagram_.pairs) {
-      if (p.dimension == k) used.push_back(&p.birth_cell);
-      if (p.dimension + 1 == k && !p.essential) used.push_back(&p.death_cell);
+    chosen_.assign(cliques.count(), 0);
+    visit_cliques(k, [&](CellId& clique) { chosen_[static_cast<std::size_t>(clique)] = 1; });
+    std::uint32_t count = 0;
+    for (std::uint32_t clique = 0; clique < cliques.count(); ++clique) {  // the new number of those that occur
+      count += chosen_[clique];
+      chosen_[clique] = count - 1;
     }
-    std::sort(used.begin(), used.end(), [](const CellId* a, const CellId* b) { return *a < *b; });
-    auto& out = diagram_.cliques.emplace_back();
-    out.reserve(used.size() * (cliques.dimension + 1));
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      const auto c = static_cast<std::uint32_t>(*used[i]);
-      const auto [a, b] = cells_.ends(cells_.youngest_edge(cliques.dimension, c));
-      const auto* others = cliques.others_of(c);
-      const auto first = static_cast<std::ptrdiff_t>(out.size());
-      out.insert(out.end(), {a, b});
-      out.insert(out.end(), others, others + cliques.dimension - 1);
-      std::sort(out.begin() + first, out.end());
-      *used[i] = static_cast<CellId>(i);
+    const std::size_t size = cliques.dimension + 1;
+    auto& out = diagram_.cliques.emplace_back(count * size);
+    visit_cliques(k, [&](CellId& cell) {
+      const auto clique = static_cast<std::uint32_t>(cell);
+      cell = chosen_[clique];
+      write_vertices(cliques, clique, out.data() + chosen_[clique] * size);
+    });
+  }
+
+  /// In increasing order: each goes to the place that the number of smaller ones gives, without a branch.
+  void write_vertices(const Cliques& cliques, std::uint32_t clique, std::uint32_t* out) const {
+    const auto [a, b] = cells_.ends(cells_.youngest_edge(cliques.dimension, clique));
+    const std::size_t others = cliques.dimension - 1;
+    const auto* other = cliques.others_of(clique);  // increasing
+    std::size_t before_a = b < a, before_b = a < b;
+    for (std::size_t i = 0; i < others; ++i) {
+      before_a += other[i] < a;
+      before_b += other[i] < b;
+      out[i + (a < other[i]) + (b < other[i])] = other[i];
     }
+    out[before_a] = a;
+    out[before_b] = b;
   }
 
   const Filtration& cells_;

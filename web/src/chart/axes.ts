@@ -1,6 +1,6 @@
 // Axes and ranges of curves.
 import type uPlot from "uplot";
-import type { ChartOptions } from "./chart";
+import type { ChartOptions } from "./options";
 import { plain, superscript } from "../numbers";
 import { FONT, GRID, MUTED } from "../theme";
 

@@ -1,6 +1,6 @@
 // Lines as uPlot wants them: one column of abscissae, and three of values per line.
 import type uPlot from "uplot";
-import type { Line } from "./chart";
+import type { Line } from "./options";
 import { faded } from "../theme";
 
 const SERIES_PER_LINE = 3; // mean, lower, upper

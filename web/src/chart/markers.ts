@@ -1,6 +1,6 @@
 // Points of chosen forms with bars for their errors, and marks at the foot of shifted lines.
 import type uPlot from "uplot";
-import type { Line } from "./chart";
+import type { Line } from "./options";
 import { meanIndex } from "./columns";
 import { FONT } from "../theme";
 

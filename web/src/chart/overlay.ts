@@ -1,6 +1,6 @@
 // What is drawn on and over curves: marks, hollow points, the read-out under the cursor.
 import type uPlot from "uplot";
-import type { ChartOptions, Line } from "./chart";
+import type { ChartOptions, Line } from "./options";
 import { meanIndex } from "./columns";
 import { h } from "../dom";
 import { plain, withError } from "../numbers";

@@ -1,5 +1,5 @@
 // Forces at the contacts of clusters, per kind of container: P(f), and the exponent of its tail over sphericity.
-import type { Line } from "../chart/chart";
+import type { Line } from "../chart/options";
 import type { Context, Section } from "../context";
 import type { FinalDistribution } from "../data";
 import { figure, h } from "../dom";

@@ -1,5 +1,6 @@
 // The distribution of contact forces: per system at several packing fractions, and the systems over each other.
-import { chart, type Line } from "../chart/chart";
+import { chart } from "../chart/chart";
+import type { Line } from "../chart/options";
 import type { Context, Section } from "../context";
 import { joinBins, type Binned } from "../bins";
 import { jammingOf, jammingSymbol, type Distribution } from "../data";

@@ -1,5 +1,5 @@
 // Stress, balance and energy: is the packing what it should be?
-import type { ChartOptions } from "../chart/chart";
+import type { ChartOptions } from "../chart/options";
 import type { Section } from "../context";
 import { grainsOf } from "../data";
 import { figure, h } from "../dom";

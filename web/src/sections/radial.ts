@@ -1,5 +1,5 @@
 // Where the neighbours of a cluster are: radial distributions, and their peaks beside the distances of closest configurations.
-import type { Line } from "../chart/chart";
+import type { Line } from "../chart/options";
 import type { Context, Section } from "../context";
 import { finalValue, shapeOf, type FinalDistribution, type ShapeFacts } from "../data";
 import { figure, h, table } from "../dom";

@@ -1,6 +1,7 @@
 // Quantities of the network of forces above a threshold, over packing fraction and threshold: maps of the systems side
 // by side on one colour scale, and cuts through them.
-import { chart, type Line } from "../chart/chart";
+import { chart } from "../chart/chart";
+import type { Line } from "../chart/options";
 import { RHO, type Context, type Section } from "../context";
 import { grainsOf, jammingOf, jammingSymbol, type Estimate } from "../data";
 import { figure, h, markup } from "../dom";

@@ -1,5 +1,6 @@
 // Total persistence over packing fraction, and Betti numbers over the force threshold.
-import type { Chart, Line } from "../chart/chart";
+import type { Chart } from "../chart/chart";
+import type { Line } from "../chart/options";
 import type { Section } from "../context";
 import { grainsOf } from "../data";
 import { figure, h, markup } from "../dom";
