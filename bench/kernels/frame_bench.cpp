@@ -6,9 +6,9 @@
 // Printed: the first frame that the process measures (its memory is new, so every page of it faults once); then the
 // share of each measure, median over many rounds through all frames; frames follow each other, as in a study, because
 // the same frame again and again is faster by a quarter: the processor learns its branches by heart. What several
-// measures use (bonds, force network, persistence, clusters at all thresholds) stands on lines of its own. Google
-// Benchmark has the sum again, as one number. Left out are distributions, fits and resampling, which a study takes at
-// few frames (option rows_every).
+// measures use (bonds, force network, components, persistence, clusters at all thresholds) stands on lines of its own.
+// Google Benchmark has the sum again, as one number. Left out are distributions, fits and resampling, which a study
+// takes at few frames (option rows_every).
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 
@@ -83,6 +83,7 @@ struct Part {
 std::vector<Part> list_parts() {
   std::vector<Part> parts = {{"(bonds)", [](const Snapshot& s) { s.bonds(); }},
                              {"(force network)", [](const Snapshot& s) { s.network(); }},
+                             {"(components)", [](const Snapshot& s) { s.history(); }},
                              {"(persistence)", [](const Snapshot& s) { s.diagram(); }},
                              {"(clusters at all thresholds)", [](const Snapshot& s) { s.levels(); }}};
   for (const std::string& name : measured)
@@ -91,7 +92,7 @@ std::vector<Part> list_parts() {
 }
 
 /// Microseconds of each part and of the whole frame.
-std::vector<double> measure(const Packing& packing, const std::vector<Part>& parts, PersistenceWorkspace& memory) {
+std::vector<double> measure(const Packing& packing, const std::vector<Part>& parts, SnapshotMemory& memory) {
   std::vector<double> spent;
   spent.reserve(parts.size() + 1);
   const auto start = Clock::now();
@@ -109,7 +110,7 @@ std::vector<double> measure(const Packing& packing, const std::vector<Part>& par
   return spent;
 }
 
-void print_shares(const std::vector<Packing>& frames, const std::vector<Part>& parts, PersistenceWorkspace& memory) {
+void print_shares(const std::vector<Packing>& frames, const std::vector<Part>& parts, SnapshotMemory& memory) {
   std::vector<std::vector<double>> times(parts.size() + 1);
   for (int round = 0; round < 200; ++round)
     for (const Packing& frame : frames) {
@@ -136,7 +137,7 @@ int run(int argc, char** argv) {
   for (const Packing& p : frames) contacts += p.contacts.size();
   fmt::print("{} frames, {} grains, {} contacts on average\n", frames.size(), frames[0].grains.size(),
              contacts / frames.size());
-  PersistenceWorkspace memory;  // shared by all frames, as a study's are
+  SnapshotMemory memory;  // shared by all frames, as a study's are
   fmt::print("{:<30}{:>9.1f} us\n", "the first frame", measure(frames[0], parts, memory).back());
   fmt::print("{:<30}{:>9.1f} us\n", "the second frame", measure(frames[1 % frames.size()], parts, memory).back());
   print_shares(frames, parts, memory);

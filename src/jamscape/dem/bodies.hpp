@@ -14,8 +14,8 @@ template <int D>
 struct Bodies {
   std::size_t grains = 0, beads = 0;
   // hot: every contact reads the rows, every step writes them
-  Aligned<double> rows;    ///< see Row<D>
-  Aligned<double> forces;  ///< cleared by the integrator
+  Spread<double> rows;    ///< see Row<D>
+  Spread<double> forces;  ///< cleared by the integrator
   // warm: read by the integrator once a step
   Aligned<double> inverse;      ///< 1/m and 1/I of each body
   Aligned<double> derivatives;  ///< Gear only: acceleration, jerk, snap a motion

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "jamscape/base/error.hpp"
 
@@ -12,13 +13,22 @@ namespace {
 template <int D>
 constexpr std::uint32_t images = D == 2 ? 9 : 27;
 
+/// A body as the search for pairs sees it.
+template <int D>
+struct Placed {
+  std::array<double, D> x;
+  double radius;
+  std::uint32_t body;
+};
+
 /// Bodies sorted into cubic cells, as index ranges.
 template <int D>
 struct Grid {
   std::array<double, D> lo{}, inverse{};
   std::array<int, D> cells{};
   std::array<bool, D> periodic{};
-  std::vector<std::uint32_t> first, body;
+  std::vector<std::uint32_t> first;
+  std::vector<Placed<D>> placed;  ///< by cell, then by index
 
   Grid(const Bodies<D>& bodies, const Periodic<D>& box, double least) {
     for (int c = 0; c < D; ++c) {
@@ -46,9 +56,13 @@ struct Grid {
     std::vector<std::uint32_t> cell(bodies.count());
     for (std::size_t k = 0; k < bodies.count(); ++k) ++first[(cell[k] = index(coordinates(bodies.row(k)))) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
-    body.resize(bodies.count());
+    placed.resize(bodies.count());
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::size_t k = 0; k < bodies.count(); ++k) body[next[cell[k]]++] = static_cast<std::uint32_t>(k);
+    for (std::size_t k = 0; k < bodies.count(); ++k) {
+      Placed<D>& p = placed[next[cell[k]]++];
+      std::copy_n(bodies.row(k), D, p.x.begin());
+      p.radius = bodies.radius(k), p.body = static_cast<std::uint32_t>(k);
+    }
   }
 
   std::array<int, D> coordinates(const double* x) const {
@@ -65,43 +79,108 @@ struct Grid {
 };
 
 struct Found {
-  std::uint32_t i, j, shift;
+  std::uint32_t j, shift;
   bool touching;
 };
 
-/// The pairs found of a part with one other (or itself), by kind, i not descending.
-struct Shared {
-  std::uint32_t with;
-  std::array<std::vector<Found>, pair_kinds> found{};
+/// The bodies after `a` in memory that are nearer than the sum of radii + skin, by neighbouring cell.
+template <int D>
+class Search {
+ public:
+  Search(const Grid<D>& grid, const Aligned<double>& shifts, double skin) : grid_(grid), shifts_(shifts), skin_(skin) {}
+
+  std::span<const Found> operator()(const double* row, std::uint32_t a) {
+    count_ = 0;
+    const auto at = grid_.coordinates(row);
+    bool inside = true;
+    for (std::size_t e = 0; e < D; ++e) inside = inside && at[e] > 0 && at[e] + 1 < grid_.cells[e];
+    if (inside) {  // cells side by side along the first axis are one range
+      for (std::uint32_t s = 1; s < images<D>; s += 3) {
+        const std::uint32_t c = grid_.index(neighbour(at, s));
+        look(row, a, grid_.first[c - 1], grid_.first[c + 2], (images<D> - 1) / 2);
+      }
+    } else {
+      for (std::uint32_t s = 0; s < images<D>; ++s) {
+        std::array<int, D> cell = neighbour(at, s);
+        std::uint32_t shift = 0, weight = 1;
+        bool outside = false;
+        for (std::size_t e = 0; e < D; ++e, weight *= 3) {
+          std::uint32_t image = 1;
+          if (cell[e] < 0 || cell[e] >= grid_.cells[e]) {
+            if (!grid_.periodic[e]) outside = true;
+            image = cell[e] < 0 ? 0 : 2;
+            cell[e] += cell[e] < 0 ? grid_.cells[e] : -grid_.cells[e];
+          }
+          shift += weight * image;
+        }
+        if (outside) continue;
+        const std::uint32_t c = grid_.index(cell);
+        look(row, a, grid_.first[c], grid_.first[c + 1], shift);
+      }
+    }
+    return {found_.data(), count_};
+  }
+
+ private:
+  static std::array<int, D> neighbour(std::array<int, D> cell, std::uint32_t s) {
+    const auto step = image_of<D>(s);
+    for (std::size_t e = 0; e < D; ++e) cell[e] += step[e];
+    return cell;
+  }
+  /// Every candidate is written, and the next one over it unless it was near: no branch to guess.
+  void look(const double* x, std::uint32_t a, std::uint32_t from, std::uint32_t to, std::uint32_t shift) {
+    if (found_.size() < count_ + (to - from)) found_.resize(2 * (count_ + (to - from)));
+    Found* out = found_.data();
+    const double* moved = shifts_.data() + 4 * shift;
+    std::size_t n = count_;
+    for (std::uint32_t q = from; q < to; ++q) {
+      const Placed<D>& p = grid_.placed[q];
+      double r2 = 0;
+      for (std::size_t e = 0; e < D; ++e) {
+        const double d = (p.x[e] + moved[e]) - x[e];
+        r2 += d * d;
+      }
+      const double reach = x[Row<D>::radius] + p.radius, far = reach + skin_;
+      out[n] = {p.body, shift, r2 < reach * reach};
+      n += static_cast<std::size_t>(r2 < far * far) & static_cast<std::size_t>(p.body > a);
+    }
+    count_ = n;
+  }
+
+  const Grid<D>& grid_;
+  const Aligned<double>& shifts_;
+  double skin_;
+  std::vector<Found> found_;
+  std::size_t count_ = 0;
 };
 
-/// The springs of an old list by the ids of their grains.
+/// The springs of an old list by the places of its bodies at that time.
 template <int D>
 class Springs {
  public:
-  Springs(const PairList<D>& old, const std::vector<std::uint32_t>& id, std::size_t grains) : old_(old) {
+  Springs(const PairList<D>& old, std::size_t grains) : old_(old) {
     first_.assign(grains + 1, 0);
-    auto name = [&](std::uint32_t k) { return k < grains ? id[k] : k; };
     std::vector<std::size_t> held;
+    held.reserve(old.touching() + old.touching() / 8);
     for (std::size_t k = 0; k < old.size(); ++k) {
       bool any = false;
       for (std::size_t c = 0; c < PairList<D>::spring_size; ++c) any |= old.spring(k)[c * block] != 0;
       if (!any) continue;
       held.push_back(k);
-      ++first_[name(old.i[k]) + 1];
+      ++first_[old.i[k] + 1];
     }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     partner_.resize(held.size());
     pair_.resize(held.size());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (const std::size_t k : held) {
-      const std::uint32_t at = next[name(old.i[k])]++;
-      partner_[at] = name(old.j[k]);
+      const std::uint32_t at = next[old.i[k]]++;
+      partner_[at] = old.j[k];
       pair_[at] = k;
     }
   }
 
-  /// Copies the spring of the pair (a, b) of ids, if there is one, into `to` (stride `block`).
+  /// Copies the spring of the pair (a, b), if there is one, into `to` (stride `block`).
   void fetch(std::uint32_t a, std::uint32_t b, double* to) const {
     if (!copy(a, b, 1.0, to) && b + 1 < first_.size()) copy(b, a, D == 2 ? 1.0 : -1.0, to);
   }
@@ -122,9 +201,29 @@ class Springs {
   std::vector<std::size_t> pair_;
 };
 
+/// Where the grains were when their ids stood as in `old_id`.
+std::vector<std::uint32_t> places_then(const std::vector<std::uint32_t>& id, const std::vector<std::uint32_t>& old_id) {
+  std::vector<std::uint32_t> place(id.size()), was(id.size());
+  for (std::size_t k = 0; k < old_id.size(); ++k) place[old_id[k]] = static_cast<std::uint32_t>(k);
+  for (std::size_t k = 0; k < id.size(); ++k) was[k] = place[id[k]];
+  return was;
+}
+
+/// A pair found.
+struct Near {
+  std::uint32_t i, j, shift;
+  bool touching;
+};
+
+/// The pairs of a part with one other (or itself), by kind, i not descending.
+struct Shared {
+  std::uint32_t with;
+  std::array<std::vector<Near>, pair_kinds> found{};
+};
+
 /// Writes the touching or the near ones of `found` to the list from `at` on, tile by tile. Returns where they end.
 template <int D>
-std::size_t put(PairList<D>& list, std::size_t at, const std::vector<Found>& found, bool touching) {
+std::size_t put(PairList<D>& list, std::size_t at, const std::vector<Near>& found, bool touching) {
   std::array<std::size_t, Parts::tile> next, end;
   for (std::size_t from = 0; from < found.size();) {
     const std::uint32_t tile = found[from].i / Parts::tile;
@@ -140,7 +239,7 @@ std::size_t put(PairList<D>& list, std::size_t at, const std::vector<Found>& fou
         while (next[g] < end[g] && found[next[g]].touching != touching) ++next[g];
         if (next[g] == end[g]) continue;
         more = true;
-        const Found& f = found[next[g]++];
+        const Near& f = found[next[g]++];
         list.i[at] = f.i, list.j[at] = f.j, list.shift[at] = f.shift;
         ++at;
       }
@@ -151,8 +250,7 @@ std::size_t put(PairList<D>& list, std::size_t at, const std::vector<Found>& fou
 
 /// What a part shares with itself, then with others of higher index, in the order found.
 template <int D>
-std::vector<Shared> search(const Bodies<D>& bodies, const Grid<D>& grid, const Aligned<double>& shifts, double skin,
-                           const Parts& parts, std::size_t part) {
+std::vector<Shared> share(const Bodies<D>& bodies, Search<D> search, const Parts& parts, std::size_t part) {
   std::vector<Shared> all{{static_cast<std::uint32_t>(part)}};
   const auto shared_with = [&](std::uint32_t other) -> Shared& {
     for (Shared& s : all)
@@ -160,44 +258,15 @@ std::vector<Shared> search(const Bodies<D>& bodies, const Grid<D>& grid, const A
     return all.emplace_back(Shared{other});
   };
   const auto [begin, end] = parts.grains(part);
-  for (std::size_t a = begin; a < end; ++a) {
-    const double* x = bodies.row(a);
-    const auto at = grid.coordinates(x);
-    for (std::uint32_t s = 0; s < images<D>; ++s) {
-      auto step = image_of<D>(s);
-      std::array<int, D> cell;
-      std::uint32_t shift = 0, weight = 1;
-      bool outside = false;
-      for (std::size_t e = 0; e < D; ++e, weight *= 3) {
-        cell[e] = at[e] + step[e];
-        std::uint32_t image = 1;
-        if (cell[e] < 0 || cell[e] >= grid.cells[e]) {
-          if (!grid.periodic[e]) outside = true;
-          image = cell[e] < 0 ? 0 : 2;
-          cell[e] += cell[e] < 0 ? grid.cells[e] : -grid.cells[e];
-        }
-        shift += weight * image;
-      }
-      if (outside) continue;
-      const bool across = shift != (images<D> - 1) / 2;
-      const std::uint32_t c = grid.index(cell);
-      for (std::uint32_t q = grid.first[c]; q < grid.first[c + 1]; ++q) {
-        const std::uint32_t b = grid.body[q];
-        if (b <= a) continue;
-        const double* y = bodies.row(b);
-        double r2 = 0;
-        for (std::size_t e = 0; e < D; ++e) {
-          const double d = (y[e] + shifts[4 * shift + e]) - x[e];
-          r2 += d * d;
-        }
-        const double reach = x[Row<D>::radius] + y[Row<D>::radius];
-        if (r2 >= (reach + skin) * (reach + skin)) continue;
-        const PairKind kind = b >= bodies.grains ? PairKind::bead : across ? PairKind::across : PairKind::inner;
-        const std::uint32_t other = parts.of(b);
-        Shared& to = other == part ? all[0] : shared_with(other);
-        to.found[static_cast<std::size_t>(kind)].push_back(
-            {static_cast<std::uint32_t>(a), b, shift, r2 < reach * reach});
-      }
+  all[0].found[0].reserve((end - begin) * (D == 2 ? 4 : 9));
+  for (std::size_t k = begin; k < end; ++k) {
+    const auto a = static_cast<std::uint32_t>(k);
+    for (const Found& f : search(bodies.row(k), a)) {
+      const bool across = f.shift != (images<D> - 1) / 2;
+      const PairKind kind = f.j >= bodies.grains ? PairKind::bead : across ? PairKind::across : PairKind::inner;
+      const std::uint32_t other = parts.of(f.j);
+      Shared& to = other == part ? all[0] : shared_with(other);
+      to.found[static_cast<std::size_t>(kind)].push_back({a, f.j, f.shift, f.touching});
     }
   }
   return all;
@@ -231,8 +300,8 @@ std::vector<const Shared*> lay_out(PairList<D>& list, const std::vector<std::vec
     PairGroup group{e.a, e.shared->with, {at}};
     for (std::size_t kind = 0; kind < pair_kinds; ++kind) {
       const auto& pairs = e.shared->found[kind];
-      const auto touching = static_cast<std::size_t>(
-          std::count_if(pairs.begin(), pairs.end(), [](const Found& f) { return f.touching; }));
+      const auto touching =
+          static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Near& f) { return f.touching; }));
       const auto in_blocks = [](std::size_t n) { return (n + block - 1) / block * block; };
       group.start[2 * kind + 1] = at += in_blocks(touching);
       group.start[2 * kind + 2] = at += in_blocks(pairs.size() - touching);
@@ -271,7 +340,8 @@ PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double s
   const Grid<D> grid(bodies, box, 2 * widest + skin);
   const Aligned<double> shifts = image_shifts<D>(box);
   std::vector<std::vector<Shared>> found(parts.with_grains());
-  team.run(found.size(), [&](std::size_t part) { found[part] = search<D>(bodies, grid, shifts, skin, parts, part); });
+  team.run(found.size(),
+           [&](std::size_t part) { found[part] = share<D>(bodies, Search<D>(grid, shifts, skin), parts, part); });
 
   PairList<D> list;
   const std::vector<const Shared*> shared = lay_out<D>(list, found, parts);
@@ -279,8 +349,8 @@ PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double s
   list.i.resize(size), list.j.resize(size), list.shift.resize(size);
   list.mbar.assign(size, 0.0);
   list.springs.assign(size * PairList<D>::spring_size, 0.0);
-  const Springs<D> springs(old, old_id, bodies.grains);
-  auto name = [&](std::uint32_t k) { return k < bodies.grains ? bodies.id[k] : k; };
+  const Springs<D> springs(old, bodies.grains);
+  const std::vector<std::uint32_t> was = places_then(bodies.id, old_id);
   team.run(list.groups.size(), [&](std::size_t g) {
     const PairGroup& group = list.groups[g];
     for (std::size_t run = 0; run < pair_runs; ++run) {
@@ -289,7 +359,7 @@ PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double s
         const std::uint32_t a = list.i[k], b = list.j[k];
         list.mbar[k] =
             b < bodies.grains ? bodies.mass[a] * bodies.mass[b] / (bodies.mass[a] + bodies.mass[b]) : bodies.mass[a];
-        springs.fetch(name(a), name(b), list.spring(k));
+        springs.fetch(was[a], b < bodies.grains ? was[b] : b, list.spring(k));
       }
       for (std::size_t k = end; k < group.start[run + 1]; ++k) {
         list.i[k] = static_cast<std::uint32_t>(bodies.count());

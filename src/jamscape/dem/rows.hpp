@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <vector>
 
 namespace jam {
@@ -32,18 +31,29 @@ struct Row {
 /// Pairs are stored in blocks of this many, the widest vector there is; arrays are padded to whole blocks.
 inline constexpr std::size_t block = 8;
 
-template <class T>
+/// Memory from a cache line's edge on. `spread`: what is read in no order a page table could foresee; large arrays of
+/// that kind ask the system for its large pages.
+void* allocate_lines(std::size_t bytes, bool spread);
+void free_lines(void* p, std::size_t bytes, bool spread);
+
+template <class T, bool spread = false>
 struct CacheAligned {
   using value_type = T;
+  template <class U>
+  struct rebind {
+    using other = CacheAligned<U, spread>;
+  };
   CacheAligned() = default;
   template <class U>
-  CacheAligned(const CacheAligned<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(64))); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t(64)); }
+  CacheAligned(const CacheAligned<U, spread>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(allocate_lines(n * sizeof(T), spread)); }
+  void deallocate(T* p, std::size_t n) { free_lines(p, n * sizeof(T), spread); }
   bool operator==(const CacheAligned&) const { return true; }
 };
 
 template <class T>
 using Aligned = std::vector<T, CacheAligned<T>>;
+template <class T>
+using Spread = std::vector<T, CacheAligned<T, true>>;
 
 }  // namespace jam

@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "jamscape/network/component_history.hpp"
 #include "jamscape/network/graph.hpp"
 #include "jamscape/network/winding_sets.hpp"
 
@@ -48,5 +49,9 @@ struct BoxSides {
 /// lengths, and a usage error where the thresholds do not increase.
 std::vector<ClusterLevel> level_sweep(const WeightedGraph& graph, std::span<const double> thresholds,
                                       const BoxSides& box = {});
+
+/// The same for a graph whose components are known already, in a box that is not periodic.
+std::vector<ClusterLevel> level_sweep(const ComponentHistory& history, std::span<const double> thresholds,
+                                      std::span<const Sides> touches = {});
 
 }  // namespace jam

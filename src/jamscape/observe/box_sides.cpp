@@ -36,11 +36,4 @@ std::vector<BoxCopy> edge_images(const Packing& packing, const ForceNetwork& net
   return images;
 }
 
-std::vector<ClusterLevel> cluster_levels(const Packing& packing, const ForceNetwork& network,
-                                         std::span<const double> thresholds) {
-  const std::vector<Sides> sides = touched_sides(packing);
-  const std::vector<BoxCopy> images = edge_images(packing, network);
-  return level_sweep(network.graph, thresholds, {sides, images});
-}
-
 }  // namespace jam

@@ -19,9 +19,4 @@ std::vector<Sides> touched_sides(const Packing& packing);
 /// Of each edge the periodic copy of its second grain; empty where no side is periodic.
 std::vector<BoxCopy> edge_images(const Packing& packing, const ForceNetwork& network);
 
-/// Clusters of the force network at increasing thresholds. Percolation along an axis: from wall to wall, or around the
-/// box where it is periodic there.
-std::vector<ClusterLevel> cluster_levels(const Packing& packing, const ForceNetwork& network,
-                                         std::span<const double> thresholds);
-
 }  // namespace jam

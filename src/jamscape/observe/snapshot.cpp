@@ -1,9 +1,15 @@
 #include "jamscape/observe/snapshot.hpp"
 
+#include <utility>
+
 #include "jamscape/observe/box_sides.hpp"
 #include "jamscape/observe/threshold_grid.hpp"
 
 namespace jam {
+
+Snapshot::~Snapshot() {
+  if (memory_ != nullptr && history_) memory_->history = std::move(*history_);
+}
 
 const Bonds& Snapshot::bonds() const {
   if (!bonds_) bonds_ = find_bonds(packing_);
@@ -15,16 +21,34 @@ const ForceNetwork& Snapshot::network() const {
   return *network_;
 }
 
+const ComponentHistory& Snapshot::history() const {
+  if (history_) return *history_;
+  ComponentHistory history;
+  if (memory_ != nullptr) std::swap(history, memory_->history);
+  history.build(network().graph);
+  history_ = std::move(history);
+  return *history_;
+}
+
 const Diagram& Snapshot::diagram() const {
   if (diagram_) return *diagram_;
   const PersistenceOptions wanted{.max_dimension = packing_.dimension - 1};
-  const WeightedGraph& graph = network().graph;
-  diagram_ = memory_ != nullptr ? persistence(graph, wanted, *memory_) : persistence(graph, wanted);
+  if (memory_ != nullptr) {
+    diagram_ = persistence(history(), wanted, memory_->persistence);
+  } else {
+    PersistenceWorkspace once;
+    diagram_ = persistence(history(), wanted, once);
+  }
   return *diagram_;
 }
 
 const std::vector<ClusterLevel>& Snapshot::levels() const {
-  if (!levels_) levels_ = cluster_levels(packing_, network(), threshold_grid(options_.level_max, options_.level_step));
+  if (levels_) return *levels_;
+  const std::vector<double> thresholds = threshold_grid(options_.level_max, options_.level_step);
+  const std::vector<Sides> sides = touched_sides(packing_);
+  const std::vector<BoxCopy> images = edge_images(packing_, network());
+  levels_ = images.empty() ? level_sweep(history(), thresholds, sides)
+                           : level_sweep(network().graph, thresholds, {sides, images});
   return *levels_;
 }
 

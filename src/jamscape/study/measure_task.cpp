@@ -119,7 +119,7 @@ std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measu
 
   std::vector<std::string> texts;
   for (const Measure* m : missing) texts.push_back(header(*m));
-  PersistenceWorkspace memory;
+  SnapshotMemory memory;
   for (std::size_t frame = 0; frame < run.frames(); ++frame) {
     if (stop && stop()) return 0;
     const Packing packing = run.frame(frame);

@@ -6,53 +6,41 @@
 //
 // Cells of equal value enter by increasing index: vertices by their number, edges by theirs, cliques by their youngest
 // edge and then by their other vertices.
-//
-// Each of the two passes reads in sequence what it can and asks the cache early for the rest (edges in order of weight
-// are scattered over the packing), so the cost per edge grows little once the network has left the cache.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "jamscape/network/edge_order.hpp"
-#include "jamscape/network/graph.hpp"
-#include "jamscape/network/union_find.hpp"
+#include "jamscape/network/component_history.hpp"
 #include "jamscape/topology/cliques.hpp"
 #include "jamscape/topology/older_graph.hpp"
 
 namespace jam {
 
-/// Whether memory that only Filtration::build() needs is kept for the next call, or given back early: a third of all.
-enum class Memory { keep, release };
-
 class Filtration {
  public:
-  /// Vertices that have edges, in the order in which they enter.
-  struct Vertices {
-    std::vector<std::uint32_t> name;  ///< in the graph
-    std::vector<std::uint32_t>
-        entry;  ///< rank of the first edge of the vertex's value (any vertex of that edge has it)
-    std::vector<std::uint32_t> partner;  ///< the edge that ends its component, or kUnpaired
+  /// H0: pairs vertices with edges. The history must outlive the use of the filtration.
+  void pair_components(const ComponentHistory& history);
+  /// Finds the cliques up to `dimension` (below 2: none); pair_components() comes first.
+  /// Throws a data error for a repeated edge.
+  void find_cliques(std::uint32_t dimension);
+  /// Gives back the memory that only find_cliques() needs.
+  void forget_neighbours();
 
-    std::size_t size() const { return name.size(); }
-  };
+  std::uint32_t edges() const { return history_->edges(); }
+  std::uint32_t edge(std::uint32_t rank) const { return history_->edge(rank); }
+  double weight(std::uint32_t rank) const { return history_->weight(rank); }
+  Ends ends(std::uint32_t rank) const { return history_->ends()[rank]; }
 
-  /// Ranks the edges, pairs vertices with edges, finds the cliques up to `dimension` (below 2: none).
-  /// Throws a data error for a graph that breaks the rules of validate().
-  void build(const WeightedGraph& graph, int dimension, Memory memory);
-
-  std::uint32_t edges() const { return static_cast<std::uint32_t>(order_.size()); }
-  std::uint32_t edge(std::uint32_t rank) const { return order_.edge(rank); }
-  double weight(std::uint32_t rank) const { return order_.weight(rank); }
-  Ends ends(std::uint32_t rank) const { return ends_[rank]; }
-
-  const Vertices& vertices() const { return vertices_; }
-  /// Vertices without edges, by increasing number.
-  const std::vector<std::uint32_t>& isolated() const { return isolated_; }
+  /// Vertices that have edges, in the order in which they enter; the rest are isolated.
+  const ComponentHistory::Vertices& vertices() const { return history_->vertices(); }
+  const std::vector<std::uint32_t>& isolated() const { return history_->isolated(); }
 
   /// The youngest edge of a cell of dimension >= 1: its value is that edge's weight.
   std::uint32_t youngest_edge(std::uint32_t dimension, std::uint32_t cell) const;
 
+  /// One for each of vertices(): the edge that ends its component, or kUnpaired.
+  std::vector<std::uint32_t> vertex_partner;
   /// One an edge, by rank: kNegative where it joins components; else a triangle, written by the reduction, or
   /// kUnpaired.
   std::vector<std::uint32_t> edge_partner;
@@ -60,18 +48,7 @@ class Filtration {
   std::vector<Cliques> cliques;
 
  private:
-  void rank_edges(const WeightedGraph& graph);
-  void order_vertices();
-  void find_components();
-  void find_cliques(const WeightedGraph& graph, std::uint32_t dimension);
-
-  EdgeOrder order_;
-  std::vector<Ends> ends_;             // by rank
-  std::vector<std::uint32_t> degree_;  // by vertex
-  std::vector<std::uint32_t> place_;   // by vertex: index into vertices_
-  Vertices vertices_;
-  std::vector<std::uint32_t> isolated_;
-  UnionFind sets_;  // by place: the smaller is older
+  const ComponentHistory* history_ = nullptr;
   OlderGraph older_;
   std::vector<CommonNeighbour> common_;
 };

@@ -11,11 +11,9 @@
 #include <span>
 #include <vector>
 
-namespace jam {
+#include "jamscape/network/component_history.hpp"
 
-struct Ends {
-  std::uint32_t a, b;
-};
+namespace jam {
 
 /// A vertex linked to both ends of an edge, and the ranks of the two links.
 struct CommonNeighbour {
@@ -38,9 +36,7 @@ class OlderGraph {
   }
 
   /// False where the two ends certainly have no common neighbour and are not linked.
-  bool may_share(Ends e) const {
-    return (vertices_[e.a].hashes & (vertices_[e.b].hashes | hash(e.b))) != 0;
-  }
+  bool may_share(Ends e) const { return (vertices_[e.a].hashes & (vertices_[e.b].hashes | hash(e.b))) != 0; }
 
   /// Vertices linked to both ends by edges added so far, by increasing number. False if the two ends are linked.
   bool common(Ends e, std::vector<CommonNeighbour>& found) const;

@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "jamscape/network/component_history.hpp"
 #include "jamscape/network/graph.hpp"
 
 namespace jam {
@@ -55,8 +56,8 @@ class PersistenceWorkspace {
   PersistenceWorkspace& operator=(const PersistenceWorkspace&) = delete;
 
  private:
-  friend Diagram persistence(const WeightedGraph&, const PersistenceOptions&);
   friend Diagram persistence(const WeightedGraph&, const PersistenceOptions&, PersistenceWorkspace&);
+  friend Diagram persistence(const ComponentHistory&, const PersistenceOptions&, PersistenceWorkspace&);
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
@@ -65,5 +66,8 @@ class PersistenceWorkspace {
 /// Safe to call from several threads.
 Diagram persistence(const WeightedGraph& graph, const PersistenceOptions& options = {});
 Diagram persistence(const WeightedGraph& graph, const PersistenceOptions& options, PersistenceWorkspace& workspace);
+/// The same for a graph whose components are known already.
+Diagram persistence(const ComponentHistory& history, const PersistenceOptions& options,
+                    PersistenceWorkspace& workspace);
 
 }  // namespace jam

@@ -59,6 +59,7 @@ void expect_same(const ClusterLevel& a, const ClusterLevel& b) {
 }
 
 TEST(LevelSweep, EqualsOneThresholdAtATime) {
+  ComponentHistory history;  // the same memory for all graphs
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     Random random(seed, "level sweep", 0, "sides");
     for (const WeightedGraph& g : {examples::packing(400, 2, .84, 80, seed), examples::packing(300, 3, .66, 80, seed),
@@ -69,6 +70,8 @@ TEST(LevelSweep, EqualsOneThresholdAtATime) {
         if (random.uniform() < .02) s = static_cast<Sides>(random.below(64));
       const auto levels = level_sweep(g, kGrid, {touches, {}});
       ASSERT_EQ(levels.size(), kGrid.size());
+      history.build(g);
+      EXPECT_EQ(level_sweep(history, kGrid, touches), levels);  // every bit: sums do not depend on the order of edges
       for (std::size_t k = 0; k < kGrid.size(); ++k) {
         SCOPED_TRACE(testing::Message() << "seed " << seed << ", threshold " << kGrid[k]);
         expect_same(levels[k], one_by_one(g, kGrid[k], touches));
@@ -182,7 +185,7 @@ TEST(LevelSweep, WindingEqualsASearchFromVertexToVertex) {
 }
 
 TEST(LevelSweep, OfNothing) {
-  EXPECT_EQ(level_sweep({}, kGrid), std::vector<ClusterLevel>(kGrid.size()));
+  EXPECT_EQ(level_sweep(WeightedGraph{}, kGrid), std::vector<ClusterLevel>(kGrid.size()));
   EXPECT_TRUE(level_sweep(chain(3, true), {}).empty());
 }
 
@@ -193,6 +196,10 @@ TEST(LevelSweep, RefusesWhatCannotBe) {
   EXPECT_THROW(level_sweep(g, kGrid, {few, {}}), Error);
   EXPECT_THROW(level_sweep(g, kGrid, {{}, image}), Error);
   EXPECT_THROW(level_sweep(g, std::vector<double>{0, 1, 1}), Error);
+  ComponentHistory history;
+  history.build(g);
+  EXPECT_THROW(level_sweep(history, kGrid, few), Error);
+  EXPECT_THROW(level_sweep(history, std::vector<double>{0, 1, 1}), Error);
   auto bad = g;
   bad.weight[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(level_sweep(bad, kGrid), Error);
