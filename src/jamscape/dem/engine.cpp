@@ -50,8 +50,8 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
     beads += wall.beads.size();
   }
   wall_force_.assign(walls_.size(), Vec<D>{});
-  bodies_.resize(setup.radius.size(), beads, scheme_ == Scheme::gear5);
-  parts_ = Parts(D, bodies_.grains, bodies_.beads);
+  parts_ = Parts(D, setup.radius.size(), beads);
+  bodies_.resize(setup.radius.size(), beads, parts_.with_grains(), scheme_ == Scheme::gear5);
   sums_.resize(parts_.with_grains());
   for (Sums& sums : sums_) sums.wall_force.resize(walls_.size());
   double mean = 0;
@@ -175,7 +175,7 @@ void Engine<D>::relist() {
 }
 
 template <int D>
-PairArrays Engine<D>::pair_arrays(Tally& tally) {
+PairArrays Engine<D>::pair_arrays(std::size_t part) {
   return {bodies_.rows.data(),
           bodies_.forces.data(),
           pairs_.i.data(),
@@ -185,9 +185,9 @@ PairArrays Engine<D>::pair_arrays(Tally& tally) {
           nullptr,
           shifts_.data(),
           dt_,
-          &tally,
+          &sums_[part].tally,
           {watch_i_.data(), watch_j_.data(), watch_shift_.data(), watch_pair_.data(), watch_touching_.data()},
-          static_cast<std::uint32_t>(bodies_.count())};
+          bodies_.nobody(part)};
 }
 
 template <int D>
@@ -207,7 +207,7 @@ void Engine<D>::watch_near() {
   }
   watched_.resize(pairs_.groups.size());
   team_->run(pairs_.groups.size(), [&](std::size_t group) {
-    PairArrays p = pair_arrays(sums_[0].tally);
+    PairArrays p = pair_arrays(pairs_.groups[group].a);
     for (std::size_t run = 1; run < pair_runs; run += 2) {
       p.shift = run / 2 == static_cast<std::size_t>(PairKind::across) ? pairs_.shift.data() : nullptr;
       watched_[group][run] = kernels_->template watch<D>()(p, range_of(group, run), margin);
@@ -239,7 +239,7 @@ void Engine<D>::compute_forces() {
 
 template <int D>
 void Engine<D>::sum_pairs(std::size_t group) {
-  PairArrays p = pair_arrays(sums_[pairs_.groups[group].a].tally);
+  PairArrays p = pair_arrays(pairs_.groups[group].a);
   for (std::size_t run = 0; run < pair_runs; ++run) {
     const PairRange range = range_of(group, run);
     p.shift = run / 2 == static_cast<std::size_t>(PairKind::across) ? pairs_.shift.data() : nullptr;

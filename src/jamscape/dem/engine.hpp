@@ -104,7 +104,7 @@ class Engine {
   };
 
   void relist();
-  PairArrays pair_arrays(Tally& tally);
+  PairArrays pair_arrays(std::size_t part);
   PairRange range_of(std::size_t group, std::size_t run) const;
   void watch_near();
   void sum_pairs(std::size_t group);

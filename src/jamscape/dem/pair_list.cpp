@@ -362,8 +362,8 @@ PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double s
         springs.fetch(was[a], b < bodies.grains ? was[b] : b, list.spring(k));
       }
       for (std::size_t k = end; k < group.start[run + 1]; ++k) {
-        list.i[k] = static_cast<std::uint32_t>(bodies.count());
-        list.j[k] = static_cast<std::uint32_t>(bodies.count() + 1);
+        list.i[k] = bodies.nobody(group.a);
+        list.j[k] = bodies.nobody(group.a) + 1;
         list.shift[k] = (images<D> - 1) / 2;
       }
     }
