@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <string>
 
 #include "cluster_scenes.hpp"
 
@@ -112,6 +113,30 @@ TEST(ClusterWalls, a_piston_does_work) {
   engine.compute_forces();
   p = engine.record();
   EXPECT_NEAR(engine.wall_force(1)[2], -engine.wall_force(0)[2], 1e-9);
+}
+
+// An end on a plane is a spring until its whole diameter has sunk in: deepest at v sqrt(m/k), after that time times pi/2.
+TEST(ClusterRest, an_end_sinks_into_a_plane_by_its_diameter_at_most) {
+  ClusterSetup s = above_floor(rod_shape(4), scenes::turn_about({0, 1, 0}, std::numbers::pi / 2), 2, 2);
+  s.gravity = {};
+  s.wall_law = scenes::s3_law(0, 0);
+  s.dt = 1e-4;
+  s.bodies.velocity = {Vec3{0, 0, -0.9}};
+  ClusterEngine engine(s);
+  engine.run(15708);
+  engine.compute_forces();
+  EXPECT_NEAR(engine.record().contacts.normal_force.at(0), 0.9, 1e-4);
+  engine.run(15710);
+  engine.compute_forces();
+  EXPECT_NEAR(engine.record().grains.velocity[0][2], 0.9, 1e-3);
+  s.bodies.velocity = {Vec3{0, 0, -1.1}};
+  ClusterEngine faster(s);
+  try {
+    faster.run(15708);
+    FAIL();
+  } catch (const Diverged& d) {
+    EXPECT_NE(std::string(d.what()).find("beyond wall 0"), std::string::npos) << d.what();
+  }
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ void ClusterEngine::touch_walls() {
     }
     ends_.held[q] = 1;
     const std::size_t k = bodies_.arm_body[ends_.arm[q]];
-    if (t.overlap > arm[3]) fail(k, "has an arm whose axis reaches through wall " + std::to_string(ends_.wall[q]));
+    if (t.overlap > 2 * arm[3]) fail(k, "has an arm beyond wall " + std::to_string(ends_.wall[q]));
     const double* row = bodies_.row(k);
     const Vec3 lever = t.point - vec3(row);
     Vec3 v = vec3(row + R::velocity) + cross(vec3(row + R::spin), lever);

@@ -22,6 +22,9 @@ struct ClusterWall {
   Vec3 centre{};        ///< cylinder: a point of its axis
 };
 
+// An end may sink into a wall with its whole diameter: unlike between arms, the normal stays what it was when the axis
+// gets there. An arm that carries much of the lid's load by itself does.
+
 /// The ends of arms that may touch a wall before the list is made anew, by wall, arm and end.
 struct WallEnds {
   std::vector<std::uint32_t> wall, arm;

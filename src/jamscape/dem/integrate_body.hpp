@@ -1,5 +1,6 @@
 // The integration passes, written once and compiled for every vector width. Bodies with inverse inertia 0 (wall beads)
-// keep their velocity.
+// keep their velocity. The last body comes first: the pair loop has just left it in the cache, and will begin with the
+// first one.
 //
 // Verlet in leapfrog form: the row holds v(n-1/2); v += a dt; x += v dt. That is velocity Verlet whose forces see the
 // velocity of the half step (theory sec. 2.5).
@@ -51,7 +52,7 @@ void verlet_loop(BodyArrays& b) {
   using R = Row<D>;
   const Piece dt = all(b.dt), zero = all(0);
   Piece fastest = zero;
-  for (std::size_t k = 0; k < b.count; ++k) {
+  for (std::size_t k = b.count; k-- > 0;) {
     double* row = b.rows + k * R::stride;
     double* force = b.forces + k * R::force_stride;
     const bool still = skip && untouched<D>(force);
@@ -84,7 +85,7 @@ void gear(BodyArrays& b) {
   const Piece k0 = all(c0 * h * h / 2), k1 = all(c1 * h / 2), k3 = all(3 * c3 / h), k4 = all(12 * c4 / (h * h));
   const Piece t1 = all(h), t2 = all(h * h / 2), t3 = all(h * h * h / 6), t4 = all(h * h * h * h / 24), zero = all(0);
   Piece fastest = zero;
-  for (std::size_t k = 0; k < b.count; ++k) {
+  for (std::size_t k = b.count; k-- > 0;) {
     double* row = b.rows + k * R::stride;
     double* force = b.forces + k * R::force_stride;
     double* derivative = b.derivatives + k * 12 * R::motions;

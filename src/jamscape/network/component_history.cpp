@@ -92,9 +92,9 @@ void ComponentHistory::join_components() {
 }
 
 void ComponentHistory::forget_merges() {
-  merges_ = {};
-  sets_ = {};
-  place_ = {};
+  merges_ = std::vector<UnionFind::Merge>();  // `= {}` would keep the memory
+  sets_ = UnionFind();
+  place_ = std::vector<std::uint32_t>();
 }
 
 }  // namespace jam

@@ -30,8 +30,7 @@ std::vector<std::size_t> sorted_curve(const Diagram& diagram, int dimension, std
   const ThresholdFinder finder(sorted);
   std::vector<std::size_t> ends(sorted.size() + 1,
                                 0);  // classes that are there for so many thresholds, from the lowest
-  for (const auto& p : diagram.pairs) {
-    if (p.dimension != dimension) continue;
+  for (const auto& p : pairs_of(diagram, dimension)) {
     ++ends[finder.passed<level>(p.birth)];
     ends[finder.passed<level>(p.death)] -= !p.essential;  // and no longer there
   }

@@ -4,8 +4,7 @@ namespace jam {
 
 BinCounts persistence_bins(const Diagram& diagram, int dimension, const BinOptions& options) {
   BinCounts count;
-  for (const auto& p : diagram.pairs) {
-    if (p.dimension != dimension) continue;
+  for (const auto& p : pairs_of(diagram, dimension)) {
     const bool isolated = dimension == 0 && p.essential && p.birth == 0;
     const double life = p.birth - p.death;
     if (life == 0 && !isolated) continue;

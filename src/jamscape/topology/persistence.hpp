@@ -8,8 +8,10 @@
 // conventions theory sec. 4.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "jamscape/network/component_history.hpp"
@@ -46,6 +48,15 @@ struct Diagram {
   /// each
   std::vector<std::vector<std::uint32_t>> cliques;
 };
+
+/// The pairs of one dimension.
+inline std::span<const PersistencePair> pairs_of(const Diagram& diagram, int dimension) {
+  const auto begin = std::partition_point(diagram.pairs.begin(), diagram.pairs.end(),
+                                          [&](const PersistencePair& p) { return p.dimension < dimension; });
+  const auto end = std::partition_point(begin, diagram.pairs.end(),
+                                        [&](const PersistencePair& p) { return p.dimension == dimension; });
+  return {begin, end};
+}
 
 /// Memory that calls may share to be faster; one for each thread. Its contents never influence a result.
 class PersistenceWorkspace {

@@ -4,9 +4,7 @@ namespace jam {
 
 double total_persistence(const Diagram& diagram, int dimension) {
   double sum = 0;
-  for (const auto& p : diagram.pairs) {
-    if (p.dimension == dimension) sum += p.birth - p.death;
-  }
+  for (const auto& p : pairs_of(diagram, dimension)) sum += p.birth - p.death;
   return sum;
 }
 
