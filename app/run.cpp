@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 struct RunArguments {
   std::string study, out, shard = "1/1";
   std::vector<std::string> settings, only;
-  int jobs = 0;
+  int jobs = 0, threads = 0;
   double checkpoint = 60;
   bool dry_run = false, json = false, quiet = false, strict = false;
 };
@@ -64,6 +64,14 @@ ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunAr
   return ExitCode::done;
 }
 
+/// Cores that no other simulation needs, for each of those that run at a time.
+int spare_threads(const std::vector<Task>& tasks, const fs::path& out, const RunOptions& options) {
+  int left = 0;
+  for (const std::size_t k : order_tasks(tasks, options.shard))
+    left += !has_all_frames(TaskFolder(out, tasks[k].hash), tasks[k].plan);
+  return std::max(1, usable_cores() / std::clamp(left, 1, options.jobs));
+}
+
 ExitCode run(const RunArguments& a) {
   // A folder of results holds its own study: naming it goes on with it.
   std::error_code ignored;
@@ -85,6 +93,7 @@ ExitCode run(const RunArguments& a) {
   watch_stop_signals();
   check_results(out, study);
   make_folder(out);
+  options.threads = a.threads > 0 ? a.threads : spare_threads(tasks, out, options);
   const RunnerLock lock(out, options.shard);
   write_results_study(out, study);
 
@@ -122,6 +131,10 @@ void add_run(CLI::App& program, Action& action) {
       ->required();
   sub->add_option("--out,-o", a->out, "folder of results (default: results/NAME)");
   sub->add_option("--jobs,-j", a->jobs, "simulations at a time (default: one a core)")->check(CLI::Range(1, 4096));
+  sub->add_option("--threads,-t", a->threads,
+                  "threads that share one simulation of 20000 discs or spheres or more; smaller ones and clusters have "
+                  "one each. No result depends on it (default: cores that simulations at a time leave free)")
+      ->check(CLI::Range(1, 4096));
   sub->add_option("--only", a->only, "do only the systems of these names: NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);

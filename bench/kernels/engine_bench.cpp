@@ -3,6 +3,9 @@
 //   engine_bench state FILE STEPS    JSON: the forces of every contact at LAMMPS's step 0 by our law; positions,
 //                                    velocities, spins and forces of the grains at its steps 1 and STEPS by our engine
 //   engine_bench time FILE STEPS     JSON: seconds of the stepping loop alone
+//   engine_bench copies FILE STEPS THREADS COPIES
+//                                    JSON: the same of COPIES x COPIES (x COPIES) such packings side by side, springs
+//                                    anew, and the memory a grain takes; a tenth of the steps goes before the clock
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -159,18 +162,76 @@ int run(const std::string& mode, const State<D>& s, std::int64_t steps) {
   return 0;
 }
 
+/// A line of /proc/self/status, in bytes.
+double status_bytes(const std::string& name) {
+  std::ifstream in("/proc/self/status");
+  std::string word;
+  while (in >> word)
+    if (word == name + ":") {
+      double kilobytes = 0;
+      in >> kilobytes;
+      return 1024 * kilobytes;
+    }
+  return std::nan("");
+}
+
+template <int D>
+jam::EngineSetup<D> copy(const State<D>& s, int copies) {
+  jam::EngineSetup<D> all = jam::lammps::setup_of(s);
+  const jam::EngineSetup<D> one = all;
+  for (auto& l : all.box.length) l *= copies;
+  const int cells = D == 2 ? copies * copies : copies * copies * copies;
+  for (int c = 1; c < cells; ++c) {
+    const int at[3] = {c % copies, c / copies % copies, c / copies / copies};
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      Vec<D> x = one.position[k];
+      for (int e = 0; e < D; ++e) x[e] += at[e] * one.box.length[static_cast<std::size_t>(e)];
+      all.position.push_back(x);
+    }
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(all.velocity, one.velocity), append(all.spin, one.spin), append(all.radius, one.radius);
+    append(all.mass, one.mass), append(all.inertia, one.inertia), append(all.species, one.species);
+  }
+  return all;
+}
+
+template <int D>
+int run_copies(const State<D>& s, std::int64_t steps, int threads, int copies) {
+  const jam::EngineSetup<D> setup = copy(s, copies);
+  const double before = status_bytes("VmRSS");
+  jam::Engine<D> engine(setup);
+  engine.set_threads(threads);
+  engine.run(steps / 10);
+  const auto start = std::chrono::steady_clock::now();
+  engine.run(steps);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const auto grains = static_cast<double>(engine.grains());
+  std::cout << fmt::format(
+      "{{\"seconds\": {}, \"kernels\": \"{}\", \"grains\": {}, \"bytes_per_grain\": {:.0f}, \"bytes_per_grain_most\": "
+      "{:.0f}}}\n",
+      seconds.count(), jam::best_kernels().name, engine.grains(), (status_bytes("VmRSS") - before) / grains,
+      (status_bytes("VmHWM") - before) / grains);
+  return 0;
+}
+
+template <int D>
+int run(int argc, char** argv, const State<D>& s) {
+  const std::int64_t steps = std::atoll(argv[3]);
+  return argc == 6 ? run_copies(s, steps, std::atoi(argv[4]), std::atoi(argv[5])) : run(argv[1], s, steps);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 4) throw jam::usage_error("usage: engine_bench state|time FILE STEPS");
-  const std::string mode = argv[1], path = argv[2];
-  const std::int64_t steps = std::atoll(argv[3]);
+  const bool copies = argc == 6 && std::string(argv[1]) == "copies";
+  if (argc != 4 && !copies)
+    throw jam::usage_error("usage: engine_bench state|time FILE STEPS, or copies FILE STEPS THREADS COPIES");
+  const std::string path = argv[2];
   std::ifstream in(path);
   const auto value = read_header(in);
   const auto dimension = value.find("dimension");
   if (dimension == value.end()) throw jam::data_error("'dimension' is missing", path, "remove it and run again");
-  return dimension->second == 2 ? run(mode, read<2>(in, value, path), steps)
-                                : run(mode, read<3>(in, value, path), steps);
+  return dimension->second == 2 ? run(argc, argv, read<2>(in, value, path)) : run(argc, argv, read<3>(in, value, path));
 } catch (const std::exception& error) {
   std::cerr << "engine_bench: " << error.what() << "\n";
   return 1;

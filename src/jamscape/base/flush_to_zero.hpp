@@ -8,6 +8,15 @@
 
 namespace jam {
 
+/// How this thread treats denormals and rounding; a thread that computes a part for another one takes over its setting.
+#if defined(__SSE2__)
+inline unsigned float_control() { return _mm_getcsr(); }
+inline void set_float_control(unsigned control) { _mm_setcsr(control & ~0x3fu); }  // without the exceptions seen so far
+#else
+inline unsigned float_control() { return 0; }
+inline void set_float_control(unsigned) {}
+#endif
+
 class FlushToZero {
  public:
 #if defined(__SSE2__)

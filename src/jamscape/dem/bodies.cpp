@@ -18,11 +18,11 @@ void permute(Array& values, std::size_t per_body, const std::vector<std::uint32_
 }  // namespace
 
 template <int D>
-void Bodies<D>::resize(std::size_t grain_count, std::size_t bead_count, bool with_derivatives) {
+void Bodies<D>::resize(std::size_t grain_count, std::size_t bead_count, std::size_t parts, bool with_derivatives) {
   using R = Row<D>;
   grains = grain_count;
   beads = bead_count;
-  const std::size_t all = count() + 2;
+  const std::size_t all = count() + 2 * parts;
   rows.assign(all * R::stride, 0.0);
   forces.assign(all * R::force_stride, 0.0);
   inverse.assign(all * 2, 0.0);
@@ -31,8 +31,10 @@ void Bodies<D>::resize(std::size_t grain_count, std::size_t bead_count, bool wit
   std::iota(id.begin(), id.end(), 0u);
   mass.assign(grains, 0.0);
   species.assign(grains, 0);
-  rows[count() * R::stride] = 1e9;
-  rows[(count() + 1) * R::stride] = 2e9;
+  for (std::size_t part = 0; part < parts; ++part) {
+    row(nobody(part))[0] = 1e9;
+    row(nobody(part) + 1)[0] = 2e9;
+  }
 }
 
 template <int D>

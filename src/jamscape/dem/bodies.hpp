@@ -1,4 +1,5 @@
-// The bodies of a simulation: grains, then wall beads, then two far-away dummies that fill up the last block of pairs.
+// The bodies of a simulation: grains, then wall beads, then two far-away dummies for each part that fill up its last
+// blocks of pairs.
 // Grains are kept in spatial order; `id` says who is who.
 #pragma once
 
@@ -36,8 +37,11 @@ struct Bodies {
   double inverse_inertia(std::size_t k) const { return inverse[2 * k + 1]; }
   double radius(std::size_t k) const { return row(k)[Row<D>::radius]; }
 
+  /// The first dummy of a part; the other one follows.
+  std::uint32_t nobody(std::size_t part) const { return static_cast<std::uint32_t>(count() + 2 * part); }
+
   /// Makes room for the given numbers of grains and beads, all zero, and places the dummies.
-  void resize(std::size_t grain_count, std::size_t bead_count, bool with_derivatives);
+  void resize(std::size_t grain_count, std::size_t bead_count, std::size_t parts, bool with_derivatives);
   /// Grain k becomes the one that was at order[k].
   void reorder(const std::vector<std::uint32_t>& order);
 };

@@ -51,6 +51,47 @@ std::vector<double> as_rows(const Bodies<D>& bodies) {
   return out;
 }
 
+/// Where the groups' runs begin; which parts they join and in which round only if there is more than one.
+template <int D>
+void save_groups(const PairList<D>& pairs, Archive& out) {
+  std::vector<std::int64_t> start{0}, a, b;
+  for (const PairGroup& g : pairs.groups) {
+    start.insert(start.end(), g.start.begin() + 1, g.start.end());
+    a.push_back(g.a), b.push_back(g.b);
+  }
+  out["engine/pair_start"] = start;
+  if (pairs.groups.size() == 1) return;
+  out["engine/group_a"] = a;
+  out["engine/group_b"] = b;
+  out["engine/first_of_round"] = integers(pairs.first_of_round);
+}
+
+template <int D>
+void load_groups(const Archive& in, PairList<D>& pairs, const Parts& parts) {
+  std::vector<std::size_t> start;
+  take(in, "engine/pair_start", start, false);
+  std::vector<std::uint32_t> a(1, 0), b(1, 0);
+  pairs.first_of_round = {0, 1};
+  if (parts.size() > 1) {
+    take(in, "engine/group_a", a, false);
+    take(in, "engine/group_b", b, false);
+    take(in, "engine/first_of_round", pairs.first_of_round, false);
+  }
+  bool sound = start.size() == pair_runs * a.size() + 1 && b.size() == a.size() && !a.empty() &&
+               !pairs.first_of_round.empty() && pairs.first_of_round.back() == a.size() &&
+               std::is_sorted(pairs.first_of_round.begin(), pairs.first_of_round.end());
+  for (std::size_t g = 0; sound && g < a.size(); ++g) sound = a[g] < parts.with_grains() && b[g] < parts.size();
+  if (!sound)
+    throw data_error("the checkpoint's pair list is inconsistent", {},
+                     "delete it; the task then starts from its beginning");
+  pairs.groups.assign(a.size(), {});
+  for (std::size_t g = 0; g < a.size(); ++g) {
+    pairs.groups[g] = {a[g], b[g], {}};
+    std::copy_n(start.begin() + static_cast<std::ptrdiff_t>(g * pair_runs), pair_runs + 1,
+                pairs.groups[g].start.begin());
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -61,7 +102,7 @@ void Engine<D>::save(Archive& out) const {
   out["engine/id"] = integers(bodies_.id);
   out["engine/mass"] = reals(bodies_.mass);
   out["engine/species"] = integers(bodies_.species);
-  out["engine/pair_start"] = integers(pairs_.start);
+  save_groups(pairs_, out);
   out["engine/pair_i"] = integers(pairs_.i);
   out["engine/pair_j"] = integers(pairs_.j);
   out["engine/pair_shift"] = integers(pairs_.shift);
@@ -85,7 +126,10 @@ void Engine<D>::save(Archive& out) const {
   out["engine/box"] = reals(box_.length);
   out["engine/scalars"] =
       std::vector<double>{box_speed_, skin_, moved_, damped_, rubbed_, wall_work_, gravity_work_, dt_};
-  out["engine/deepest"] = reals(tally_.deepest);
+  Tally tally{};
+  for (const Sums& sums : sums_)
+    for (std::size_t k = 0; k < block; ++k) tally.deepest[k] = larger(tally.deepest[k], sums.tally.deepest[k]);
+  out["engine/deepest"] = reals(tally.deepest);
   out["engine/counters"] =
       std::vector<std::int64_t>{layout_version, D, static_cast<std::int64_t>(scheme_), step_, lists_, stale_};
 }
@@ -108,7 +152,7 @@ void Engine<D>::load(const Archive& in) {
   take(in, "engine/id", bodies_.id, true);
   take(in, "engine/mass", bodies_.mass, true);
   take(in, "engine/species", bodies_.species, true);
-  take(in, "engine/pair_start", pairs_.start, true);
+  load_groups(in, pairs_, parts_);
   take(in, "engine/pair_i", pairs_.i, false);
   take(in, "engine/pair_j", pairs_.j, false);
   take(in, "engine/pair_shift", pairs_.shift, false);
@@ -116,7 +160,7 @@ void Engine<D>::load(const Archive& in) {
   take(in, "engine/pair_spring", pairs_.springs, false);
   const std::size_t pairs = pairs_.i.size();
   if (pairs_.j.size() != pairs || pairs_.shift.size() != pairs || pairs_.mbar.size() != pairs ||
-      pairs_.start.back() != pairs || pairs_.springs.size() != pairs * PairList<D>::spring_size)
+      pairs_.groups.back().start.back() != pairs || pairs_.springs.size() != pairs * PairList<D>::spring_size)
     throw data_error("the checkpoint's pair list is inconsistent", {},
                      "delete it; the task then starts from its beginning");
   take(in, "engine/plane_grain", plane_grain_, false);
@@ -129,6 +173,14 @@ void Engine<D>::load(const Archive& in) {
       plane_spring_[q] = plane_spring.at(q);
     else
       plane_spring_[q] = {plane_spring.at(3 * q), plane_spring.at(3 * q + 1), plane_spring.at(3 * q + 2)};
+  first_plane_.assign(1, 0);  // they stand by part
+  for (std::size_t q = 0, part = 0; part < parts_.with_grains(); ++part) {
+    while (q < plane_grain_.size() && parts_.of(plane_grain_[q]) == part) ++q;
+    first_plane_.push_back(q);
+  }
+  if (first_plane_.back() != plane_grain_.size() || plane_wall_.size() != plane_grain_.size())
+    throw data_error("the checkpoint's plane contacts are inconsistent", {},
+                     "delete it; the task then starts from its beginning");
   take(in, "engine/wall_position", position, true);
   take(in, "engine/wall_velocity", velocity, true);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -141,7 +193,8 @@ void Engine<D>::load(const Archive& in) {
   box_speed_ = scalars[0], skin_ = scalars[1], moved_ = scalars[2];
   damped_ = scalars[3], rubbed_ = scalars[4], wall_work_ = scalars[5], gravity_work_ = scalars[6];
   const auto& deepest = fetch<std::vector<double>>(in, "engine/deepest");
-  for (std::size_t k = 0; k < block && k < deepest.size(); ++k) tally_.deepest[k] = deepest[k];
+  for (Sums& sums : sums_) sums.tally = {};
+  for (std::size_t k = 0; k < block && k < deepest.size(); ++k) sums_[0].tally.deepest[k] = deepest[k];
   watch_until_ = -1;  // near pairs are looked through anew
   step_ = counters[3], lists_ = counters[4], stale_ = counters[5] != 0;
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);

@@ -50,7 +50,10 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
     beads += wall.beads.size();
   }
   wall_force_.assign(walls_.size(), Vec<D>{});
-  bodies_.resize(setup.radius.size(), beads, scheme_ == Scheme::gear5);
+  parts_ = Parts(D, setup.radius.size(), beads);
+  bodies_.resize(setup.radius.size(), beads, parts_.with_grains(), scheme_ == Scheme::gear5);
+  sums_.resize(parts_.with_grains());
+  for (Sums& sums : sums_) sums.wall_force.resize(walls_.size());
   double mean = 0;
   smallest_ = setup.radius.empty() ? 0 : setup.radius[0];
   for (std::size_t k = 0; k < setup.radius.size(); ++k) {
@@ -105,6 +108,12 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
 }
 
 template <int D>
+void Engine<D>::set_threads(int threads) {
+  const int used = parts_.size() == 1 ? 1 : threads;
+  if (used != team_->size()) team_ = std::make_unique<ThreadTeam>(used);
+}
+
+template <int D>
 void Engine<D>::set_wall_velocity(std::size_t w, double velocity) {
   EngineWall<D>& wall = walls_[w];
   wall.velocity = velocity;
@@ -141,19 +150,23 @@ void Engine<D>::relist() {
   if (lists_++ % lists_per_order == 0) bodies_.reorder(spatial_order(bodies_));
   const double closing = 2 * std::sqrt(speed2) * dt_;
   skin_ = std::clamp(std::sqrt(list_cost * diameter_ * closing), thinnest_skin * diameter_, widest_skin * diameter_);
-  pairs_ = list_pairs<D>(bodies_, box_, skin_, pairs_, old_id);
+  pairs_ = list_pairs<D>(bodies_, box_, skin_, pairs_, old_id, parts_, *team_);
 
   plane_grain_.clear(), plane_wall_.clear(), plane_spring_.clear();
-  for (std::size_t w = 0; w < walls_.size(); ++w) {
-    if (walls_[w].kind != WallKind::plane) continue;
-    const double sign = walls_[w].high ? -1.0 : 1.0;
-    for (std::size_t k = 0; k < bodies_.grains; ++k) {
-      const double gap = sign * (bodies_.row(k)[walls_[w].axis] - walls_[w].position) - bodies_.radius(k);
-      if (gap >= skin_) continue;
-      plane_grain_.push_back(static_cast<std::uint32_t>(k));
-      plane_wall_.push_back(static_cast<std::uint32_t>(w));
-      plane_spring_.push_back(plane_spring[w * bodies_.grains + bodies_.id[k]]);
+  first_plane_.assign(1, 0);
+  for (std::size_t part = 0; part < parts_.with_grains(); ++part) {
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      if (walls_[w].kind != WallKind::plane) continue;
+      const double sign = walls_[w].high ? -1.0 : 1.0;
+      for (auto [k, end] = parts_.grains(part); k < end; ++k) {
+        const double gap = sign * (bodies_.row(k)[walls_[w].axis] - walls_[w].position) - bodies_.radius(k);
+        if (gap >= skin_) continue;
+        plane_grain_.push_back(static_cast<std::uint32_t>(k));
+        plane_wall_.push_back(static_cast<std::uint32_t>(w));
+        plane_spring_.push_back(plane_spring[w * bodies_.grains + bodies_.id[k]]);
+      }
     }
+    first_plane_.push_back(plane_grain_.size());
   }
   moved_ = 0;
   watch_until_ = -1;
@@ -162,7 +175,7 @@ void Engine<D>::relist() {
 }
 
 template <int D>
-PairArrays Engine<D>::pair_arrays() {
+PairArrays Engine<D>::pair_arrays(std::size_t part) {
   return {bodies_.rows.data(),
           bodies_.forces.data(),
           pairs_.i.data(),
@@ -172,56 +185,92 @@ PairArrays Engine<D>::pair_arrays() {
           nullptr,
           shifts_.data(),
           dt_,
-          &tally_,
+          &sums_[part].tally,
           {watch_i_.data(), watch_j_.data(), watch_shift_.data(), watch_pair_.data(), watch_touching_.data()},
-          static_cast<std::uint32_t>(bodies_.count())};
+          bodies_.nobody(part)};
 }
 
 template <int D>
-PairRange Engine<D>::range_of(std::size_t run) const {
+PairRange Engine<D>::range_of(std::size_t group, std::size_t run) const {
   const PairLaw<>& law = static_cast<PairKind>(run / 2) == PairKind::bead ? wall_law_ : grain_law_;
-  return {pairs_.start[run], pairs_.start[run + 1], run % 2 == 1, watched_[run], law, kind_, law.mu > 0};
+  const auto& start = pairs_.groups[group].start;
+  return {start[run], start[run + 1], run % 2 == 1, watched_[group][run], law, kind_, law.mu > 0};
 }
 
 template <int D>
-void Engine<D>::watch_near(PairArrays& p) {
+void Engine<D>::watch_near() {
   const double margin = std::min(skin_, std::max(std::sqrt(watch_cost * closing_ * skin_), 2 * closing_));
   watch_until_ = moved_ + margin / 2;
   if (watch_i_.size() < pairs_.size()) {
     for (auto* a : {&watch_i_, &watch_j_, &watch_shift_, &watch_pair_}) a->resize(pairs_.size());
     watch_touching_.resize(pairs_.size() / block);
-    p = pair_arrays();
   }
-  for (std::size_t run = 1; run < pair_runs; run += 2) {
-    p.shift = run / 2 == static_cast<std::size_t>(PairKind::across) ? pairs_.shift.data() : nullptr;
-    watched_[run] = kernels_->template watch<D>()(p, range_of(run), margin);
-  }
+  watched_.resize(pairs_.groups.size());
+  team_->run(pairs_.groups.size(), [&](std::size_t group) {
+    PairArrays p = pair_arrays(pairs_.groups[group].a);
+    for (std::size_t run = 1; run < pair_runs; run += 2) {
+      p.shift = run / 2 == static_cast<std::size_t>(PairKind::across) ? pairs_.shift.data() : nullptr;
+      watched_[group][run] = kernels_->template watch<D>()(p, range_of(group, run), margin);
+    }
+  });
 }
 
 template <int D>
 void Engine<D>::compute_forces() {
   if (stale_) relist();
-  for (auto* slots : {&tally_.damped, &tally_.rubbed, &tally_.virial})
-    std::fill(std::begin(*slots), std::end(*slots), 0.0);
-  PairArrays p = pair_arrays();
-  if (!(moved_ < watch_until_)) watch_near(p);
-  for (std::size_t run = 0; run < pair_runs; ++run) {
-    const PairRange range = range_of(run);
-    p.shift = run / 2 == static_cast<std::size_t>(PairKind::across) ? pairs_.shift.data() : nullptr;
-    kernels_->template pairs<D>()(p, range);
+  if (!(moved_ < watch_until_)) watch_near();
+  for (Sums& sums : sums_) {
+    for (auto* slots : {&sums.tally.damped, &sums.tally.rubbed, &sums.tally.virial})
+      std::fill(std::begin(*slots), std::end(*slots), 0.0);
+    std::fill(sums.wall_force.begin(), sums.wall_force.end(), Vec<D>{});
   }
-  touch_planes();
-  if (dot(gravity_, gravity_) > 0) pull_down();
-  collect_walls();
-  damped_ += sum(tally_.damped) * dt_;
-  rubbed_ += sum(tally_.rubbed);
-  if (box_speed_ != 0) wall_work_ += 2 * box_speed_ * dt_ / box_.length[0] * sum(tally_.virial);
+  for (std::size_t round = 0; round + 1 < pairs_.first_of_round.size(); ++round) {
+    const std::size_t first = pairs_.first_of_round[round];
+    team_->run(pairs_.first_of_round[round + 1] - first, [&](std::size_t g) { sum_pairs(first + g); });
+  }
+  const bool falling = dot(gravity_, gravity_) > 0;
+  if (falling || !plane_grain_.empty())
+    team_->run(parts_.with_grains(), [&](std::size_t part) {
+      touch_planes(part);
+      if (falling) pull_down(part);
+    });
+  add_up();
 }
 
 template <int D>
-void Engine<D>::touch_planes() {
+void Engine<D>::sum_pairs(std::size_t group) {
+  PairArrays p = pair_arrays(pairs_.groups[group].a);
+  for (std::size_t run = 0; run < pair_runs; ++run) {
+    const PairRange range = range_of(group, run);
+    p.shift = run / 2 == static_cast<std::size_t>(PairKind::across) ? pairs_.shift.data() : nullptr;
+    if (range.begin < range.end) kernels_->template pairs<D>()(p, range);
+  }
+}
+
+/// Books what the parts have summed, in their order.
+template <int D>
+void Engine<D>::add_up() {
+  double damped = 0, rubbed = 0, virial = 0, gravity_power = 0;
+  for (const Sums& sums : sums_) {
+    damped += sum(sums.tally.damped);
+    rubbed += sum(sums.tally.rubbed);
+    virial += sum(sums.tally.virial);
+    gravity_power += sums.gravity_power;
+    for (std::size_t w = 0; w < walls_.size(); ++w) wall_force_[w] += sums.wall_force[w];
+  }
+  gravity_work_ += gravity_power * dt_;
+  collect_walls();
+  damped_ += damped * dt_;
+  rubbed_ += rubbed;
+  if (box_speed_ != 0) wall_work_ += 2 * box_speed_ * dt_ / box_.length[0] * virial;
+}
+
+template <int D>
+void Engine<D>::touch_planes(std::size_t part) {
   using R = Row<D>;
-  for (std::size_t q = 0; q < plane_grain_.size(); ++q) {
+  Tally& tally = sums_[part].tally;
+  std::vector<Vec<D>>& wall_force = sums_[part].wall_force;
+  for (std::size_t q = first_plane_[part]; q < first_plane_[part + 1]; ++q) {
     const std::size_t k = plane_grain_[q], w = plane_wall_[q];
     const EngineWall<D>& wall = walls_[w];
     const double* row = bodies_.row(k);
@@ -229,7 +278,7 @@ void Engine<D>::touch_planes() {
     const double x = row[R::radius] - distance;
     Axial<D>& spring = plane_spring_[q];
     if (!(x > 0)) {
-      if (!hertzian(kind_)) tally_.rubbed[0] += spring_energy(wall_law_.k_t, spring);
+      if (!hertzian(kind_)) tally.rubbed[0] += spring_energy(wall_law_.k_t, spring);
       spring = Axial<D>{};
       continue;
     }
@@ -252,18 +301,18 @@ void Engine<D>::touch_planes() {
         for (int c = 0; c < 3; ++c) f[4 + c] += lever * twist[c];
       }
       for (int c = 0; c < D; ++c) f[c] += force[c];
-      wall_force_[w] -= force;
-      tally_.damped[0] += t.damped;
-      tally_.rubbed[0] += t.rubbed;
-      tally_.deepest[0] = larger(tally_.deepest[0], x);
+      wall_force[w] -= force;
+      tally.damped[0] += t.damped;
+      tally.rubbed[0] += t.rubbed;
+      tally.deepest[0] = larger(tally.deepest[0], x);
     });
   }
 }
 
 template <int D>
-void Engine<D>::pull_down() {
+void Engine<D>::pull_down(std::size_t part) {
   double power = 0;
-  for (std::size_t k = 0; k < bodies_.grains; ++k) {
+  for (auto [k, end] = parts_.grains(part); k < end; ++k) {
     const double* v = bodies_.row(k) + Row<D>::velocity;
     double* f = bodies_.forces.data() + k * Row<D>::force_stride;
     for (int c = 0; c < D; ++c) {
@@ -271,7 +320,7 @@ void Engine<D>::pull_down() {
       power += bodies_.mass[k] * gravity_[c] * v[c];
     }
   }
-  gravity_work_ += power * dt_;
+  sums_[part].gravity_power = power;
 }
 
 template <int D>
@@ -290,18 +339,28 @@ void Engine<D>::collect_walls() {
 }
 
 template <int D>
-void Engine<D>::advance() {
-  BodyArrays b{bodies_.rows.data(),
-               bodies_.forces.data(),
-               bodies_.inverse.data(),
-               bodies_.derivatives.data(),
-               bodies_.count(),
+void Engine<D>::move_bodies(std::size_t part) {
+  const auto [begin, end] = parts_.bodies(part);
+  BodyArrays b{bodies_.rows.data() + begin * Row<D>::stride,
+               bodies_.forces.data() + begin * Row<D>::force_stride,
+               bodies_.inverse.data() + 2 * begin,
+               bodies_.derivatives.data() + (bodies_.derivatives.empty() ? 0 : begin * 12 * Row<D>::motions),
+               end - begin,
                dt_,
                pairs_.touching() < bodies_.grains / 8,
                {}};
   (scheme_ == Scheme::verlet ? kernels_->template verlet<D>() : kernels_->template gear<D>())(b);
-  double speed2 = b.fastest[0] + b.fastest[1];  // in two dimensions the third component is the spin
-  if constexpr (D == 3) speed2 += b.fastest[2];
+  std::copy(std::begin(b.fastest), std::end(b.fastest), sums_[part].fastest.begin());
+}
+
+template <int D>
+void Engine<D>::advance() {
+  team_->run(parts_.with_grains(), [&](std::size_t part) { move_bodies(part); });
+  std::array<double, 4> fastest{};
+  for (const Sums& sums : sums_)
+    for (std::size_t c = 0; c < fastest.size(); ++c) fastest[c] = larger(fastest[c], sums.fastest[c]);
+  double speed2 = fastest[0] + fastest[1];  // in two dimensions the third component is the spin
+  if constexpr (D == 3) speed2 += fastest[2];
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     walls_[w].position += walls_[w].velocity * dt_;
     wall_force_[w] = Vec<D>{};
@@ -314,7 +373,8 @@ void Engine<D>::advance() {
   ++step_;
   if (step_ % 64 == 0) {
     double deepest = 0;
-    for (double& d : tally_.deepest) deepest = std::max(deepest, d), d = 0;
+    for (Sums& sums : sums_)
+      for (double& d : sums.tally.deepest) deepest = std::max(deepest, d), d = 0;
     if (deepest > deepest_overlap * smallest_ || step_ % 1024 == 0) check();
   }
 }
@@ -324,10 +384,12 @@ void Engine<D>::shrink_box() {
   double strain = 0;
   for (std::size_t c = 0; c < D; ++c) {
     const double length = box_.length[c] - 2 * box_speed_ * dt_, factor = length / box_.length[c];
-    for (std::size_t k = 0; k < bodies_.grains; ++k) {
-      double& x = bodies_.row(k)[c];
-      x = box_.lo[c] + (x - box_.lo[c]) * factor;
-    }
+    team_->run(parts_.with_grains(), [&](std::size_t part) {
+      for (auto [k, end] = parts_.grains(part); k < end; ++k) {
+        double& x = bodies_.row(k)[c];
+        x = box_.lo[c] + (x - box_.lo[c]) * factor;
+      }
+    });
     box_.length[c] = length;
     strain = std::max(strain, std::abs(1 - factor));
   }

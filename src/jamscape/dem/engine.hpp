@@ -8,14 +8,17 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "jamscape/base/archive.hpp"
+#include "jamscape/base/thread_team.hpp"
 #include "jamscape/contact/law.hpp"
 #include "jamscape/dem/bodies.hpp"
 #include "jamscape/dem/diverged.hpp"
 #include "jamscape/dem/kernel.hpp"
 #include "jamscape/dem/pair_list.hpp"
+#include "jamscape/dem/parts.hpp"
 #include "jamscape/dem/scheme.hpp"
 #include "jamscape/packing/packing.hpp"
 
@@ -57,6 +60,9 @@ class Engine {
  public:
   explicit Engine(const EngineSetup<D>& setup, const Kernels& kernels = best_kernels());
 
+  /// How many threads share a step; they change no bit of it. Packings of one part (see Parts) are stepped by one.
+  void set_threads(int threads);
+
   /// Forces at the present positions and half-step (Verlet) or predicted (Gear) velocities. Throws Diverged.
   void compute_forces();
   /// Moves bodies and walls by one time step.
@@ -89,13 +95,24 @@ class Engine {
   void load(const Archive& archive);
 
  private:
+  /// What the bodies and pairs of a part add to; by part, so that threads share nothing and the order of sums is fixed.
+  struct alignas(64) Sums {
+    Tally tally{};
+    double gravity_power = 0;
+    std::array<double, 4> fastest{};  ///< see BodyArrays
+    std::vector<Vec<D>> wall_force;   ///< of planes
+  };
+
   void relist();
-  PairArrays pair_arrays();
-  PairRange range_of(std::size_t run) const;
-  void watch_near(PairArrays& arrays);
-  void touch_planes();
-  void pull_down();
+  PairArrays pair_arrays(std::size_t part);
+  PairRange range_of(std::size_t group, std::size_t run) const;
+  void watch_near();
+  void sum_pairs(std::size_t group);
+  void touch_planes(std::size_t part);
+  void pull_down(std::size_t part);
+  void add_up();
   void collect_walls();
+  void move_bodies(std::size_t part);
   void shrink_box();
   [[noreturn]] void fail(std::size_t body, const std::string& problem) const;
 
@@ -106,6 +123,9 @@ class Engine {
   double dt_, smallest_ = 0, diameter_ = 1;
 
   Bodies<D> bodies_;
+  Parts parts_;
+  std::unique_ptr<ThreadTeam> team_ = std::make_unique<ThreadTeam>();
+  std::vector<Sums> sums_;  ///< by part with grains
   std::vector<EngineWall<D>> walls_;
   std::vector<std::size_t> first_bead_;  ///< of each wall, a body index
   std::vector<Vec<D>> wall_force_;       ///< of the last compute_forces()
@@ -118,9 +138,10 @@ class Engine {
   // near pairs that may touch before a body has gone farther than watch_until_: found anew then
   Aligned<std::uint32_t> watch_i_, watch_j_, watch_shift_, watch_pair_;
   std::vector<std::uint8_t> watch_touching_;
-  std::array<std::size_t, pair_runs> watched_{};
+  std::vector<std::array<std::size_t, pair_runs>> watched_;  ///< by group of pairs
   double watch_until_ = -1, closing_ = 0;  ///< closing_: how much nearer two bodies came in the last step at most
-  // plane contacts, by wall then grain
+  // plane contacts, by part, wall, grain
+  std::vector<std::size_t> first_plane_;  ///< of each part, and the end
   std::vector<std::uint32_t> plane_grain_, plane_wall_;
   std::vector<Axial<D>> plane_spring_;
 
@@ -129,7 +150,6 @@ class Engine {
   bool stale_ = true;
   std::int64_t lists_ = 0;  ///< made so far; grains are reordered at some of them
   double damped_ = 0, rubbed_ = 0, wall_work_ = 0, gravity_work_ = 0;
-  Tally tally_{};
 };
 
 extern template class Engine<2>;

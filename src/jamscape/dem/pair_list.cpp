@@ -10,8 +10,6 @@
 namespace jam {
 namespace {
 
-constexpr std::size_t tile = 64;
-
 template <int D>
 constexpr std::uint32_t images = D == 2 ? 9 : 27;
 
@@ -211,28 +209,108 @@ std::vector<std::uint32_t> places_then(const std::vector<std::uint32_t>& id, con
   return was;
 }
 
-/// Appends the touching or the near pairs of one kind, tile by tile.
+/// A pair found.
+struct Near {
+  std::uint32_t i, j, shift;
+  bool touching;
+};
+
+/// The pairs of a part with one other (or itself), by kind, i not descending.
+struct Shared {
+  std::uint32_t with;
+  std::array<std::vector<Near>, pair_kinds> found{};
+};
+
+/// Writes the touching or the near ones of `found` to the list from `at` on, tile by tile. Returns where they end.
 template <int D>
-void append(PairList<D>& list, const std::vector<std::uint32_t>& first, const std::vector<Found>& found,
-            std::size_t grains, bool touching) {
-  for (std::size_t from = 0; from < grains; from += tile) {
-    const std::size_t to = std::min(grains, from + tile);
-    std::array<std::uint32_t, tile> next;
-    for (std::size_t a = from; a < to; ++a) next[a - from] = first[a];
+std::size_t put(PairList<D>& list, std::size_t at, const std::vector<Near>& found, bool touching) {
+  std::array<std::size_t, Parts::tile> next, end;
+  for (std::size_t from = 0; from < found.size();) {
+    const std::uint32_t tile = found[from].i / Parts::tile;
+    std::size_t grains = 0, q = from;
+    for (; q < found.size() && found[q].i / Parts::tile == tile; ++q) {
+      if (q == from || found[q].i != found[q - 1].i) next[grains++] = q;
+      end[grains - 1] = q + 1;
+    }
+    from = q;
     for (bool more = true; more;) {
       more = false;
-      for (std::size_t a = from; a < to; ++a) {
-        std::uint32_t& q = next[a - from];
-        while (q < first[a + 1] && found[q].touching != touching) ++q;
-        if (q == first[a + 1]) continue;
+      for (std::size_t g = 0; g < grains; ++g) {
+        while (next[g] < end[g] && found[next[g]].touching != touching) ++next[g];
+        if (next[g] == end[g]) continue;
         more = true;
-        list.i.push_back(static_cast<std::uint32_t>(a));
-        list.j.push_back(found[q].j);
-        list.shift.push_back(found[q].shift);
-        ++q;
+        const Near& f = found[next[g]++];
+        list.i[at] = f.i, list.j[at] = f.j, list.shift[at] = f.shift;
+        ++at;
       }
     }
   }
+  return at;
+}
+
+/// What a part shares with itself, then with others of higher index, in the order found.
+template <int D>
+std::vector<Shared> share(const Bodies<D>& bodies, Search<D> search, const Parts& parts, std::size_t part) {
+  std::vector<Shared> all{{static_cast<std::uint32_t>(part)}};
+  const auto shared_with = [&](std::uint32_t other) -> Shared& {
+    for (Shared& s : all)
+      if (s.with == other) return s;
+    return all.emplace_back(Shared{other});
+  };
+  const auto [begin, end] = parts.grains(part);
+  all[0].found[0].reserve((end - begin) * (D == 2 ? 4 : 9));
+  for (std::size_t k = begin; k < end; ++k) {
+    const auto a = static_cast<std::uint32_t>(k);
+    for (const Found& f : search(bodies.row(k), a)) {
+      const bool across = f.shift != (images<D> - 1) / 2;
+      const PairKind kind = f.j >= bodies.grains ? PairKind::bead : across ? PairKind::across : PairKind::inner;
+      const std::uint32_t other = parts.of(f.j);
+      Shared& to = other == part ? all[0] : shared_with(other);
+      to.found[static_cast<std::size_t>(kind)].push_back({a, f.j, f.shift, f.touching});
+    }
+  }
+  return all;
+}
+
+/// Lays out the groups of a list, and says for each which pairs found belong to it.
+template <int D>
+std::vector<const Shared*> lay_out(PairList<D>& list, const std::vector<std::vector<Shared>>& found,
+                                   const Parts& parts) {
+  struct Entry {
+    std::uint32_t round, a;
+    const Shared* shared;
+  };
+  std::vector<Entry> entries;
+  std::vector<Neighbours> neighbours;
+  for (std::uint32_t a = 0; a < found.size(); ++a)
+    for (const Shared& s : found[a]) {
+      entries.push_back({0, a, &s});
+      if (s.with != a) neighbours.push_back({a, s.with, s.found[0].size() + s.found[1].size() + s.found[2].size()});
+    }
+  const std::vector<std::uint32_t> rounds = deal_rounds(neighbours, parts.size());
+  std::size_t next = 0;
+  for (Entry& e : entries)
+    if (e.shared->with != e.a) e.round = 1 + rounds[next++];
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& p, const Entry& q) { return p.round < q.round; });
+
+  std::vector<const Shared*> order;
+  std::size_t at = 0;
+  for (const Entry& e : entries) {
+    if (e.round == list.first_of_round.size()) list.first_of_round.push_back(list.groups.size());
+    PairGroup group{e.a, e.shared->with, {at}};
+    for (std::size_t kind = 0; kind < pair_kinds; ++kind) {
+      const auto& pairs = e.shared->found[kind];
+      const auto touching =
+          static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Near& f) { return f.touching; }));
+      const auto in_blocks = [](std::size_t n) { return (n + block - 1) / block * block; };
+      group.start[2 * kind + 1] = at += in_blocks(touching);
+      group.start[2 * kind + 2] = at += in_blocks(pairs.size() - touching);
+    }
+    list.groups.push_back(group);
+    order.push_back(e.shared);
+  }
+  list.first_of_round.push_back(list.groups.size());
+  return order;
 }
 
 }  // namespace
@@ -256,51 +334,40 @@ std::array<std::int8_t, 3> image_of(std::uint32_t shift) {
 
 template <int D>
 PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double skin, const PairList<D>& old,
-                       const std::vector<std::uint32_t>& old_id) {
+                       const std::vector<std::uint32_t>& old_id, const Parts& parts, ThreadTeam& team) {
   double widest = 0;
   for (std::size_t k = 0; k < bodies.count(); ++k) widest = std::max(widest, bodies.radius(k));
   const Grid<D> grid(bodies, box, 2 * widest + skin);
   const Aligned<double> shifts = image_shifts<D>(box);
-
-  std::array<std::vector<std::uint32_t>, pair_kinds> first;
-  std::array<std::vector<Found>, pair_kinds> found;
-  for (auto& f : first) f.assign(1, 0), f.reserve(bodies.grains + 1);
-  found[0].reserve(old.size() + old.size() / 8);
-  Search<D> search(grid, shifts, skin);
-  for (std::size_t a = 0; a < bodies.grains; ++a) {
-    for (const Found& f : search(bodies.row(a), static_cast<std::uint32_t>(a))) {
-      const bool across = f.shift != (images<D> - 1) / 2;
-      const PairKind kind = f.j >= bodies.grains ? PairKind::bead : across ? PairKind::across : PairKind::inner;
-      found[static_cast<std::size_t>(kind)].push_back(f);
-    }
-    for (std::size_t kind = 0; kind < pair_kinds; ++kind)
-      first[kind].push_back(static_cast<std::uint32_t>(found[kind].size()));
-  }
+  std::vector<std::vector<Shared>> found(parts.with_grains());
+  team.run(found.size(),
+           [&](std::size_t part) { found[part] = share<D>(bodies, Search<D>(grid, shifts, skin), parts, part); });
 
   PairList<D> list;
-  const std::size_t room = found[0].size() + found[1].size() + found[2].size() + pair_runs * block;
-  list.i.reserve(room), list.j.reserve(room), list.shift.reserve(room);
-  for (std::size_t run = 0; run < pair_runs; ++run) {
-    append<D>(list, first[run / 2], found[run / 2], bodies.grains, run % 2 == 0);
-    while (list.i.size() % block) {
-      list.i.push_back(static_cast<std::uint32_t>(bodies.count()));
-      list.j.push_back(static_cast<std::uint32_t>(bodies.count() + 1));
-      list.shift.push_back((images<D> - 1) / 2);
-    }
-    list.start[run + 1] = list.i.size();
-  }
-
-  list.mbar.assign(list.size(), 0.0);
-  list.springs.assign(list.size() * PairList<D>::spring_size, 0.0);
+  const std::vector<const Shared*> shared = lay_out<D>(list, found, parts);
+  const std::size_t size = list.groups.back().start.back();
+  list.i.resize(size), list.j.resize(size), list.shift.resize(size);
+  list.mbar.assign(size, 0.0);
+  list.springs.assign(size * PairList<D>::spring_size, 0.0);
   const Springs<D> springs(old, bodies.grains);
   const std::vector<std::uint32_t> was = places_then(bodies.id, old_id);
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const std::uint32_t a = list.i[k], b = list.j[k];
-    if (a >= bodies.grains) continue;
-    list.mbar[k] =
-        b < bodies.grains ? bodies.mass[a] * bodies.mass[b] / (bodies.mass[a] + bodies.mass[b]) : bodies.mass[a];
-    springs.fetch(was[a], b < bodies.grains ? was[b] : b, list.spring(k));
-  }
+  team.run(list.groups.size(), [&](std::size_t g) {
+    const PairGroup& group = list.groups[g];
+    for (std::size_t run = 0; run < pair_runs; ++run) {
+      const std::size_t end = put<D>(list, group.start[run], shared[g]->found[run / 2], run % 2 == 0);
+      for (std::size_t k = group.start[run]; k < end; ++k) {
+        const std::uint32_t a = list.i[k], b = list.j[k];
+        list.mbar[k] =
+            b < bodies.grains ? bodies.mass[a] * bodies.mass[b] / (bodies.mass[a] + bodies.mass[b]) : bodies.mass[a];
+        springs.fetch(was[a], b < bodies.grains ? was[b] : b, list.spring(k));
+      }
+      for (std::size_t k = end; k < group.start[run + 1]; ++k) {
+        list.i[k] = bodies.nobody(group.a);
+        list.j[k] = bodies.nobody(group.a) + 1;
+        list.shift[k] = (images<D> - 1) / 2;
+      }
+    }
+  });
   return list;
 }
 
@@ -326,7 +393,7 @@ std::vector<std::uint32_t> spatial_order(const Bodies<D>& bodies) {
   template Aligned<double> image_shifts<D>(const Periodic<D>&);                                        \
   template std::array<std::int8_t, 3> image_of<D>(std::uint32_t);                                      \
   template PairList<D> list_pairs<D>(const Bodies<D>&, const Periodic<D>&, double, const PairList<D>&, \
-                                     const std::vector<std::uint32_t>&);                               \
+                                     const std::vector<std::uint32_t>&, const Parts&, ThreadTeam&);    \
   template std::vector<std::uint32_t> spatial_order<D>(const Bodies<D>&);
 JAM_INSTANTIATE(2)
 JAM_INSTANTIATE(3)

@@ -4,13 +4,17 @@
 // face, grain-bead; each kind has a run of pairs that touched when the list was made and a run of those that were near,
 // padded to whole blocks. Within a run, grains go by tiles of 64, and each tile takes one partner of every grain in
 // turn: neighbours in the list then do not wait for each other's force sums.
+//
+// A packing cut into parts has such runs for every part, then for every two parts whose bodies are near each other.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "jamscape/base/thread_team.hpp"
 #include "jamscape/dem/bodies.hpp"
+#include "jamscape/dem/parts.hpp"
 #include "jamscape/dem/rows.hpp"
 #include "jamscape/geometry/vec.hpp"
 
@@ -25,12 +29,20 @@ struct Periodic {
   std::array<double, D> lo{}, length{};
 };
 
+/// The pairs within part a = b, or of the parts a < b.
+struct PairGroup {
+  std::uint32_t a = 0, b = 0;
+  /// run 2 k: pairs of kind k that touched, run 2 k + 1: the near ones; run r is start[r] .. start[r + 1]
+  std::array<std::size_t, pair_runs + 1> start{};
+};
+
 template <int D>
 struct PairList {
   static constexpr std::size_t spring_size = D == 2 ? 1 : 3;
 
-  /// run 2 k: pairs of kind k that touched, run 2 k + 1: the near ones; run r is start[r] .. start[r + 1]
-  std::array<std::size_t, pair_runs + 1> start{};
+  std::vector<PairGroup> groups;  ///< each begins where the one before ends
+  /// groups first_of_round[r] .. first_of_round[r + 1] share no part; forces are summed round after round
+  std::vector<std::size_t> first_of_round;
   Aligned<std::uint32_t> i, j;   ///< i < j
   Aligned<std::uint32_t> shift;  ///< kind `across`: which periodic image of j, a row of shifts()
   Aligned<double> mbar;          ///< reduced mass
@@ -40,7 +52,8 @@ struct PairList {
   /// Pairs that touched when the list was made, in whole blocks.
   std::size_t touching() const {
     std::size_t n = 0;
-    for (std::size_t run = 0; run < pair_runs; run += 2) n += start[run + 1] - start[run];
+    for (const PairGroup& g : groups)
+      for (std::size_t run = 0; run < pair_runs; run += 2) n += g.start[run + 1] - g.start[run];
     return n;
   }
   double* spring(std::size_t k) { return springs.data() + (D == 2 ? k : k / block * 3 * block + k % block); }
@@ -63,7 +76,7 @@ std::array<std::int8_t, 3> image_of(std::uint32_t shift);
 /// is less than three cells wide.
 template <int D>
 PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double skin, const PairList<D>& old,
-                       const std::vector<std::uint32_t>& old_id);
+                       const std::vector<std::uint32_t>& old_id, const Parts& parts, ThreadTeam& team);
 
 /// The grains in spatial order (Morton order of cells of about a diameter): order[k] = present index of the k-th.
 template <int D>

@@ -22,7 +22,9 @@ template <class Scene>
 class Run {
  public:
   Run(const SystemOptions& system, const TaskKey& key, const Hooks& hooks)
-      : system_(system), key_(key), hooks_(hooks), table_(timetable(system, key)), scene_(system, key) {}
+      : system_(system), key_(key), hooks_(hooks), table_(timetable(system, key)), scene_(system, key) {
+    if constexpr (requires { engine_.set_threads(1); }) engine_.set_threads(hooks.threads);
+  }
 
   Outcome go(const Archive* from) {
     from ? resume(*from) : begin_leg(0);

@@ -56,6 +56,8 @@ struct Progress {
 
 /// Called from the simulating thread.
 struct Hooks {
+  /// That share the steps of a large packing of discs or spheres (Engine::set_threads); no bit depends on them.
+  int threads = 1;
   /// Steps between two looks at stop, checkpoint_due and progress; 0: some tenths of a second's work.
   std::int64_t look_every = 0;
   /// Every frame not taken before the checkpoint started from, in order; `index` counts from 0 over the whole plan.

@@ -71,7 +71,7 @@ class Runner {
       fs::remove(folder.path() / "failed.txt");
       SimulateHooks hooks{[&](const Progress& p) { listener_.progress(index, p); }, [this] { return stopping(); },
                           [&](const std::string& reason) { listener_.warned(index, reason); },
-                          options_.checkpoint_interval};
+                          options_.checkpoint_interval, options_.threads};
       if (simulate_task(study_, task, folder, hooks) == Outcome::stopped) return Ending::stopped;
       listener_.measuring(index);
       measure_task(folder, measures_, study_.measure, Remeasure::missing, hooks.stop);

@@ -33,6 +33,7 @@ class RunListener {
 
 struct RunOptions {
   int jobs = 1;
+  int threads = 1;  ///< of one simulation, see Hooks
   Shard shard;
   double checkpoint_interval = 60;
   std::function<bool()> stop;  ///< polled: true saves checkpoints and returns

@@ -66,6 +66,7 @@ Outcome simulate_from(const Study& study, const Task& task, const TaskFolder& fo
   std::size_t frames_done = resume ? resume->frames_done : 0;
   auto saved = Clock::now();
   Hooks engine;
+  engine.threads = hooks.threads;
   engine.progress = hooks.progress;
   engine.stop = hooks.stop;
   engine.checkpoint_due = [&] {

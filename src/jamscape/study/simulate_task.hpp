@@ -15,6 +15,7 @@ struct SimulateHooks {
   std::function<bool()> stop;
   std::function<void(const std::string&)> warning = {};
   double checkpoint_interval = 60;  ///< seconds between checkpoints; saving changes no bit of the simulation
+  int threads = 1;                  ///< see Hooks
 };
 
 /// The resolved study of this one task: what task.toml and run.h5 say about it.
