@@ -67,7 +67,7 @@ ExitCode status(const std::string& dir, bool as_json, bool times) {
                       {"steps", spent.steps},
                       {"grains", t.plan.bodies},
                       {"seconds", spent.seconds},
-                      {"cpu_seconds", spent.cpu_seconds},
+                      {"core_seconds", spent.core_seconds},
                       {"reason", failure}});
     else
       fmt::print("{}  {:24}  realisation {:3}  {:11}  {:4}/{} frames{}\n", t.hash, system, t.realisation, state, taken,

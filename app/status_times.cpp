@@ -29,7 +29,7 @@ Cost cost_of(const std::filesystem::path& results, const std::vector<Task>& task
     cost.grains += static_cast<double>(spent.bodies);
     cost.steps += static_cast<double>(spent.steps);
     cost.grain_steps += static_cast<double>(spent.bodies) * static_cast<double>(spent.steps);
-    cost.seconds += spent.core_seconds();
+    cost.seconds += spent.core_seconds;
   }
   return cost;
 }

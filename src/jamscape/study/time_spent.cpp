@@ -12,8 +12,9 @@ TimeSpent time_spent(const TaskFolder& folder) noexcept try {
   for (std::string text; std::getline(log, text);) {
     const auto line = nlohmann::json::parse(text, nullptr, false);
     if (!line.is_object() || !line.contains("seconds")) continue;
-    spent.seconds += line.value("seconds", 0.0);
-    spent.cpu_seconds += line.value("cpu_seconds", 0.0);
+    const double seconds = line.value("seconds", 0.0);
+    spent.seconds += seconds;
+    spent.core_seconds += line.value("cpu_seconds", seconds);
     if (line.value("event", "") != "finished") continue;
     spent.finished = true;
     spent.steps = line.value("steps", std::int64_t{0});

@@ -9,17 +9,16 @@ namespace jam {
 
 struct TimeSpent {
   bool finished = false;
-  double seconds = 0;      ///< on the clock, all its pieces from start or resume to stop or end
-  double cpu_seconds = 0;  ///< of the processor, by the thread that led it; 0 where the log does not have it
+  double seconds = 0;  ///< on the clock, all its pieces from start or resume to stop or end
+  /// Of the processor, by the thread that led it, so whatever else the machine did; on the clock where an old log does
+  /// not have it.
+  double core_seconds = 0;
   std::int64_t steps = 0;  ///< of the finished run
   std::int64_t bodies = 0;
 
-  /// Seconds that do not hang on what else the machine did, as far as they are known.
-  double core_seconds() const { return cpu_seconds > 0 ? cpu_seconds : seconds; }
   /// Grain-steps a second of a finished run, else 0.
   double rate() const {
-    return finished && core_seconds() > 0 ? static_cast<double>(steps) * static_cast<double>(bodies) / core_seconds()
-                                          : 0;
+    return finished && core_seconds > 0 ? static_cast<double>(steps) * static_cast<double>(bodies) / core_seconds : 0;
   }
 };
 
