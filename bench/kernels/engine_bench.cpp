@@ -3,6 +3,8 @@
 //   engine_bench state FILE STEPS    JSON: the forces of every contact at LAMMPS's step 0 by our law; positions,
 //                                    velocities, spins and forces of the grains at its steps 1 and STEPS by our engine
 //   engine_bench time FILE STEPS     JSON: seconds of the stepping loop alone
+//   engine_bench schemes FILE STEPS  JSON: the same by integration scheme, springs anew; a tenth of the steps goes before
+//                                    the clock
 //   engine_bench copies FILE STEPS THREADS COPIES
 //                                    JSON: the same of COPIES x COPIES (x COPIES) such packings side by side, springs
 //                                    anew, and the memory a grain takes; a tenth of the steps goes before the clock
@@ -20,6 +22,7 @@
 #include <vector>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/base/flush_to_zero.hpp"
 #include "lammps_state.hpp"
 
 namespace {
@@ -141,16 +144,37 @@ std::string grains(const jam::Packing& p) {
 }
 
 template <int D>
+double seconds_of(jam::Engine<D>& engine, std::int64_t steps) {
+  const auto start = std::chrono::steady_clock::now();
+  engine.run(steps);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <int D>
+int compare_schemes(const State<D>& s, std::int64_t steps) {
+  std::map<jam::Scheme, double> seconds;
+  for (const jam::Scheme scheme : {jam::Scheme::verlet, jam::Scheme::gear5}) {
+    jam::EngineSetup<D> setup = jam::lammps::setup_of(s);
+    setup.scheme = scheme;
+    jam::Engine<D> engine(setup);
+    engine.run(steps / 10);
+    seconds[scheme] = seconds_of(engine, steps);
+  }
+  std::cout << fmt::format("{{\"verlet\": {}, \"gear5\": {}}}\n", seconds[jam::Scheme::verlet],
+                           seconds[jam::Scheme::gear5]);
+  return 0;
+}
+
+template <int D>
 int run(const std::string& mode, const State<D>& s, std::int64_t steps) {
+  if (mode == "schemes") return compare_schemes(s, steps);
   jam::Engine<D> engine = enter(s);
   if (mode == "time") {
-    const auto start = std::chrono::steady_clock::now();
-    engine.run(steps);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::cout << fmt::format("{{\"seconds\": {}, \"kernels\": \"{}\"}}\n", seconds.count(), jam::best_kernels().name);
+    const double seconds = seconds_of(engine, steps);
+    std::cout << fmt::format("{{\"seconds\": {}, \"kernels\": \"{}\"}}\n", seconds, jam::best_kernels().name);
     return 0;
   }
-  if (mode != "state" || steps < 2) throw jam::usage_error("the mode is state (at least 2 steps) or time");
+  if (mode != "state" || steps < 2) throw jam::usage_error("the mode is state (at least 2 steps), time or schemes");
   engine.compute_forces();
   const jam::Packing first = engine.record();
   engine.advance();
@@ -202,14 +226,12 @@ int run_copies(const State<D>& s, std::int64_t steps, int threads, int copies) {
   jam::Engine<D> engine(setup);
   engine.set_threads(threads);
   engine.run(steps / 10);
-  const auto start = std::chrono::steady_clock::now();
-  engine.run(steps);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double seconds = seconds_of(engine, steps);
   const auto grains = static_cast<double>(engine.grains());
   std::cout << fmt::format(
       "{{\"seconds\": {}, \"kernels\": \"{}\", \"grains\": {}, \"bytes_per_grain\": {:.0f}, \"bytes_per_grain_most\": "
       "{:.0f}}}\n",
-      seconds.count(), jam::best_kernels().name, engine.grains(), (status_bytes("VmRSS") - before) / grains,
+      seconds, jam::best_kernels().name, engine.grains(), (status_bytes("VmRSS") - before) / grains,
       (status_bytes("VmHWM") - before) / grains);
   return 0;
 }
@@ -225,7 +247,8 @@ int run(int argc, char** argv, const State<D>& s) {
 int main(int argc, char** argv) try {
   const bool copies = argc == 6 && std::string(argv[1]) == "copies";
   if (argc != 4 && !copies)
-    throw jam::usage_error("usage: engine_bench state|time FILE STEPS, or copies FILE STEPS THREADS COPIES");
+    throw jam::usage_error("usage: engine_bench state|time|schemes FILE STEPS, or copies FILE STEPS THREADS COPIES");
+  const jam::FlushToZero flush;  // as every run does
   const std::string path = argv[2];
   std::ifstream in(path);
   const auto value = read_header(in);

@@ -1,7 +1,12 @@
 // The same bits whatever the vector width, and after a stop and a restart.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstring>
+
 #include "bits_of.hpp"
+#include "jamscape/base/flush_to_zero.hpp"
+#include "jamscape/base/random.hpp"
 #include "jamscape/protocol/plan.hpp"
 #include "jamscape/protocol/simulate.hpp"
 #include "jamscape/protocol/start.hpp"
@@ -87,6 +92,55 @@ TEST(Determinism, a_stopped_and_resumed_run_gives_the_bits_of_one_never_stopped)
     EXPECT_EQ(whole, pieces);
     EXPECT_EQ(whole.size(), 6u);
   }
+}
+
+/// The rows after many integration passes, in which a body is pushed now and then and flies freely in between.
+template <int D>
+std::vector<double> integrate(const Kernels& kernels, Scheme scheme, bool few_pushed) {
+  const FlushToZero flush;
+  constexpr std::size_t count = 50;
+  Bodies<D> bodies;
+  bodies.resize(count, 0, 1, true);
+  Random random(3, "passes", 0, "pushes");
+  for (double& x : bodies.rows) x = random.uniform() - 0.5;
+  for (double& q : bodies.inverse) q = 1 + random.uniform();
+  constexpr std::size_t per_motion = 4;
+  for (std::size_t c = 3; c < bodies.rows.size(); c += per_motion)
+    if (c % Row<D>::stride != Row<D>::radius) bodies.rows[c] = 0;
+  BodyArrays b{bodies.rows.data(), bodies.forces.data(), bodies.inverse.data(), bodies.derivatives.data(),
+               bodies.calm.data(), count,                0.02,                  few_pushed,
+               {}};
+  for (int step = 0; step < 500; ++step) {
+    for (std::size_t k = 0; k < count; ++k) {
+      if (random.uniform() > 0.01) continue;
+      for (std::size_t c = 0; c < Row<D>::force_stride; ++c)
+        if (c % per_motion != 3) bodies.forces[k * Row<D>::force_stride + c] = random.uniform() - 0.5;
+    }
+    (scheme == Scheme::gear5 ? kernels.gear<D>() : kernels.verlet<D>())(b);
+  }
+  std::vector<double> all(bodies.rows.begin(), bodies.rows.end());
+  all.insert(all.end(), std::begin(b.fastest), std::end(b.fastest));
+  if (scheme == Scheme::gear5 && few_pushed) {
+    const auto calm = std::count(bodies.calm.begin(), bodies.calm.end(), 1);
+    EXPECT_GT(calm, 10);
+    EXPECT_LT(calm, 45);
+  }
+  return all;
+}
+
+TEST(Determinism, leaving_out_what_zero_forces_do_not_change_changes_no_bit) {
+  const auto bits = [](const std::vector<double>& v) {
+    std::vector<std::uint64_t> b(v.size());
+    std::memcpy(b.data(), v.data(), v.size() * sizeof(double));
+    return b;
+  };
+  const KernelList list = available_kernels();
+  for (int k = 0; k < list.count; ++k)
+    for (const Scheme scheme : {Scheme::verlet, Scheme::gear5}) {
+      const Kernels& kernels = *list.entry[k];
+      EXPECT_EQ(bits(integrate<2>(kernels, scheme, true)), bits(integrate<2>(kernels, scheme, false)));
+      EXPECT_EQ(bits(integrate<3>(kernels, scheme, true)), bits(integrate<3>(kernels, scheme, false)));
+    }
 }
 
 TEST(Determinism, a_checkpoint_of_another_task_is_refused) {

@@ -27,6 +27,7 @@ void Bodies<D>::resize(std::size_t grain_count, std::size_t bead_count, std::siz
   forces.assign(all * R::force_stride, 0.0);
   inverse.assign(all * 2, 0.0);
   derivatives.assign(with_derivatives ? all * 12 * R::motions : 0, 0.0);
+  calm.assign(with_derivatives ? all : 0, 0);
   id.resize(grains);
   std::iota(id.begin(), id.end(), 0u);
   mass.assign(grains, 0.0);
@@ -43,6 +44,7 @@ void Bodies<D>::reorder(const std::vector<std::uint32_t>& order) {
   permute(forces, Row<D>::force_stride, order);
   permute(inverse, 2, order);
   permute(derivatives, 12 * Row<D>::motions, order);
+  permute(calm, 1, order);
   permute(id, 1, order);
   permute(mass, 1, order);
   permute(species, 1, order);

@@ -20,6 +20,7 @@ struct Bodies {
   // warm: read by the integrator once a step
   Aligned<double> inverse;      ///< 1/m and 1/I of each body
   Aligned<double> derivatives;  ///< Gear only: acceleration, jerk, snap a motion
+  std::vector<std::uint8_t> calm;  ///< Gear only: see BodyArrays; follows from the derivatives
   // cold
   std::vector<std::uint32_t> id;  ///< of grains; beads have id = index
   std::vector<double> mass;       ///< of grains

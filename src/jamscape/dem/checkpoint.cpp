@@ -143,6 +143,7 @@ void Engine<D>::load(const Archive& in) {
                      "delete it; the task then starts from its beginning");
   take(in, "engine/rows", bodies_.rows, true);
   take(in, "engine/derivatives", bodies_.derivatives, true);
+  std::fill(bodies_.calm.begin(), bodies_.calm.end(), std::uint8_t{0});
   std::vector<double> inverse(bodies_.forces.size());
   take(in, "engine/inverse", inverse, true);
   for (std::size_t k = 0; k < bodies_.count(); ++k) {

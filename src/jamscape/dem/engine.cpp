@@ -345,6 +345,7 @@ void Engine<D>::move_bodies(std::size_t part) {
                bodies_.forces.data() + begin * Row<D>::force_stride,
                bodies_.inverse.data() + 2 * begin,
                bodies_.derivatives.data() + (bodies_.derivatives.empty() ? 0 : begin * 12 * Row<D>::motions),
+               bodies_.calm.data() + (bodies_.calm.empty() ? 0 : begin),
                end - begin,
                dt_,
                pairs_.touching() < bodies_.grains / 8,

@@ -11,8 +11,10 @@
 //   x += c0 dt^2/2 da,  v += c1 dt/2 da,  a += da,  jerk += 3 c3/dt da,  snap += 12 c4/dt^2 da.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "jamscape/dem/kernel.hpp"
 
@@ -77,8 +79,23 @@ void verlet(BodyArrays& b) {
   b.few_pushed ? verlet_loop<D, true>(b) : verlet_loop<D, false>(b);
 }
 
+/// Sets the derivatives of a body in free flight to +0 once all are below 2^-767, where they change no position or
+/// velocity; true if so. They decay that far in some thirty steps, and no farther: one flushed to zero keeps the others.
 template <int D>
-void gear(BodyArrays& b) {
+bool calm_down(double* derivative) {
+  using Bits [[gnu::may_alias]] = std::uint64_t;
+  constexpr std::uint64_t upper_exponent = 0x7000000000000000;
+  constexpr int count = 12 * Row<D>::motions;
+  const Bits* b = reinterpret_cast<const Bits*>(derivative);
+  std::uint64_t some = 0;
+  for (int c = 0; c < count; ++c) some |= b[c];
+  if (some & upper_exponent) return false;
+  std::fill_n(derivative, count, 0.0);
+  return true;
+}
+
+template <int D, bool skip>
+void gear_loop(BodyArrays& b) {
   using R = Row<D>;
   constexpr double c0 = 19.0 / 90, c1 = 3.0 / 4, c3 = 1.0 / 2, c4 = 1.0 / 12;
   const double h = b.dt;
@@ -89,6 +106,17 @@ void gear(BodyArrays& b) {
     double* row = b.rows + k * R::stride;
     double* force = b.forces + k * R::force_stride;
     double* derivative = b.derivatives + k * 12 * R::motions;
+    const bool free = skip && untouched<D>(force);
+    if (free && b.calm[k]) {  // what follows, with zeros for force and derivatives
+      for (int m = 0; m < R::motions; ++m) {
+        Piece v = piece(row + R::velocity_of(m)), x = piece(row + R::position_of(m));
+        v += zero, x += zero;  // -0 becomes +0
+        if (m == 0) keep_larger(fastest, v);
+        piece(row + R::velocity_of(m)) = v;
+        piece(row + R::position_of(m)) = x + t1 * v;
+      }
+      continue;
+    }
     for (int m = 0; m < R::motions; ++m, derivative += 12) {
       Piece x = piece(row + R::position_of(m)), v = piece(row + R::velocity_of(m));
       Piece a = piece(derivative), jerk = piece(derivative + 4), snap = piece(derivative + 8);
@@ -107,8 +135,16 @@ void gear(BodyArrays& b) {
       piece(derivative + 8) = snap;
       piece(force + 4 * m) = zero;
     }
+    if constexpr (skip) b.calm[k] = free && calm_down<D>(derivative - 12 * R::motions);
   }
   for (int c = 0; c < 4; ++c) b.fastest[c] = fastest[c];
+}
+
+template <int D>
+void gear(BodyArrays& b) {
+  if (b.few_pushed) return gear_loop<D, true>(b);
+  std::memset(b.calm, 0, b.count);
+  gear_loop<D, false>(b);
 }
 
 }  // namespace
