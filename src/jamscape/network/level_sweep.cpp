@@ -1,7 +1,7 @@
 #include "jamscape/network/level_sweep.hpp"
 
 #include "jamscape/base/error.hpp"
-#include "jamscape/network/cluster_tally.hpp"
+#include "jamscape/network/level_tally.hpp"
 #include "jamscape/network/threshold_finder.hpp"
 #include "jamscape/network/union_find.hpp"
 #include "jamscape/network/validate.hpp"
@@ -33,7 +33,7 @@ EdgesByLevel sort_by_level(std::span<const double> weight, std::span<const doubl
 
 /// `add_edges(k)` adds to the tally those above threshold k and not above the one before.
 template <class AddEdges>
-std::vector<ClusterLevel> sweep(std::size_t thresholds, ClusterTally& tally, const AddEdges& add_edges) {
+std::vector<ClusterLevel> sweep(std::size_t thresholds, LevelTally& tally, const AddEdges& add_edges) {
   std::vector<ClusterLevel> levels(thresholds);
   for (std::size_t k = thresholds; k-- > 0;) {
     add_edges(k);
@@ -46,7 +46,7 @@ std::vector<ClusterLevel> sweep(std::size_t thresholds, ClusterTally& tally, con
 /// edges above it.
 template <class Join>
 std::vector<ClusterLevel> sweep_unsorted(std::span<const double> weight, std::span<const double> thresholds,
-                                         ClusterTally& tally, const Join& join) {
+                                         LevelTally& tally, const Join& join) {
   const EdgesByLevel sorted = sort_by_level(weight, thresholds);
   return sweep(thresholds.size(), tally, [&](std::size_t k) {
     for (auto e = sorted.begin[k + 1]; e < sorted.begin[k + 2]; ++e) join(sorted.edge[e]);
@@ -79,20 +79,22 @@ std::vector<ClusterLevel> level_sweep(const WeightedGraph& graph, std::span<cons
   check_thresholds(thresholds);
   if (!box.image.empty() && box.image.size() != graph.edges())
     throw data_error("the images of edges are not one entry an edge");
-  ClusterTally tally(graph.vertices);
+  LevelTally tally(graph.vertices);
   for (std::uint32_t v = 0; v < box.touches.size(); ++v) tally.touch(v, box.touches[v]);
   const auto larger = [&](std::uint32_t x, std::uint32_t y) { return tally.size(x) > tally.size(y); };
   if (box.image.empty()) {
     UnionFind sets(graph.vertices);
     return sweep_unsorted(graph.weight, thresholds, tally, [&](std::uint32_t e) {
       const auto merge = sets.unite(graph.from[e], graph.to[e], larger);
-      tally.add_edge(merge.kept, merge.lost, 0);
+      merge.joined() ? tally.join(merge.kept, merge.lost) : tally.add_inner(merge.kept, 1);
     });
   }
   WindingSets sets(graph.vertices);
   return sweep_unsorted(graph.weight, thresholds, tally, [&](std::uint32_t e) {
     const auto merge = sets.unite(graph.from[e], graph.to[e], box.image[e], larger);
-    tally.add_edge(merge.kept, merge.lost, sides_around(merge.around));
+    if (merge.joined()) return tally.join(merge.kept, merge.lost);
+    tally.add_inner(merge.kept, 1);
+    tally.add_sides(merge.kept, sides_around(merge.around));
   });
 }
 
@@ -101,15 +103,20 @@ std::vector<ClusterLevel> level_sweep(const ComponentHistory& history, std::span
   check_touches(history.graph().vertices, touches);
   check_thresholds(thresholds);
   const auto& names = history.vertices().name;
-  ClusterTally tally(names.size());  // by place
+  LevelTally tally(names.size());  // by place
   if (!touches.empty())
     for (std::uint32_t place = 0; place < names.size(); ++place) tally.touch(place, touches[names[place]]);
   std::uint32_t rank = 0;
+  std::vector<UnionFind::Merge> joins(history.edges() + 1);
   return sweep(thresholds.size(), tally, [&](std::size_t k) {
+    std::size_t count = 0;  // of the edges that join; put aside, as no processor could guess which do
     for (; rank < history.edges() && history.weight(rank) > thresholds[k]; ++rank) {
-      const auto [kept, lost] = history.merges()[rank];
-      tally.add_edge(kept, lost, 0);
+      const auto merge = history.merges()[rank];
+      tally.add_inner(merge.kept, !merge.joined());
+      joins[count] = merge;
+      count += merge.joined();
     }
+    for (std::size_t m = 0; m < count; ++m) tally.join(joins[m].kept, joins[m].lost);
   });
 }
 

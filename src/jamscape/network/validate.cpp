@@ -44,15 +44,16 @@ void validate_edges(const WeightedGraph& g) {
         "the graph is too large: {} vertices, {} edges; fewer than 2^31 of each can be handled", g.vertices, n));
   }
   // All at once, in loops that fill vector registers: nothing wrong is expected.
-  std::uint32_t wrong_ends = 0;
+  const std::uint32_t last = g.vertices - 1;
+  std::uint32_t outside = 0, loops = 0;  // a sign bit where an end is no vertex: negative, or above the last
   for (std::size_t e = 0; e < n; ++e) {
     const std::uint32_t a = g.from[e], b = g.to[e];
-    wrong_ends |= static_cast<std::uint32_t>(a >= g.vertices) | static_cast<std::uint32_t>(b >= g.vertices) |
-                  static_cast<std::uint32_t>(a == b);
+    outside |= a | b | (last - a) | (last - b);
+    loops |= static_cast<std::uint32_t>(a == b);
   }
-  std::int64_t wrong_weights = 0;
-  for (const double w : g.weight) wrong_weights |= good(w) ? 0 : 1;
-  if (wrong_ends == 0 && wrong_weights == 0) return;
+  double wrong_weights = 0;
+  for (const double w : g.weight) wrong_weights = good(w) ? wrong_weights : 1;
+  if (outside >> 31 == 0 && loops == 0 && wrong_weights == 0) return;
   for (std::size_t e = 0;; ++e) {
     const bool ends = g.from[e] < g.vertices && g.to[e] < g.vertices && g.from[e] != g.to[e];
     if (!ends || !good(g.weight[e])) explain(g, e);

@@ -18,6 +18,7 @@ class WindingSets {
   struct Merge {
     std::uint32_t kept, lost;  ///< leaders before the merge; equal when both members were in one set already
     BoxCopy around{};          ///< net winding of the path that was closed; zero where two sets were joined
+    bool joined() const { return kept != lost; }
   };
 
   explicit WindingSets(std::uint32_t members) : parent_(members), copy_(members) {

@@ -7,10 +7,13 @@ namespace jam {
 Backbone backbone(const Packing& packing, const Bonds& bonds) {
   const Contacts& k = packing.contacts;
   Backbone b;
-  for (std::size_t i = 0; i < bonds.grains.size(); ++i) b.grains += !bonds.rattles(i);
+  std::vector<std::uint8_t> stays(bonds.grains.size());
+  for (std::size_t i = 0; i < stays.size(); ++i) {
+    stays[i] = !bonds.rattles(i);
+    b.grains += stays[i];
+  }
   std::size_t pairs = 0;
-  for (const std::uint32_t c : bonds.contact)
-    pairs += !bonds.rattles(k.i[c]) && !bonds.rattles(static_cast<std::size_t>(k.j[c]));
+  for (const std::uint32_t c : bonds.contact) pairs += stays[k.i[c]] & stays[static_cast<std::size_t>(k.j[c])];
   if (b.grains > 0) b.z = 2 * static_cast<double>(pairs) / static_cast<double>(b.grains);
   return b;
 }

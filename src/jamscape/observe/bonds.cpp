@@ -48,22 +48,28 @@ Bonds find_bonds(const Packing& packing) {
   bonds.grains.assign(packing.grains.size(), 0);
   bonds.walls.assign(packing.grains.size(), 0);
   bonds.contact.resize(k.size() + 1);
-  std::size_t count = 0;
-  std::int64_t last_i = -1, last_j = 0;  // the last bond; what touches is counted without a branch
-  for (std::size_t c = 0; c < k.size(); ++c) {
+  std::uint32_t *const contact = bonds.contact.data(), *const grains = bonds.grains.data(),
+                       *const walls = bonds.walls.data();
+  std::size_t count = 0, wall_contacts = 0;
+  std::int64_t last_i = -1, last_j = 0;
+  bool found = false;  // whether the pair of the last contact touches; all is counted without a branch
+  for (std::size_t c = 0, n = k.size(); c < n; ++c) {
     const std::uint32_t i = k.i[c];
     const std::int32_t j = k.j[c];
-    const bool touches = k.overlap[c] >= 0, grain = j >= 0;
-    const bool bond = touches & grain & ((i != last_i) | (j != last_j));
-    bonds.contact[count] = static_cast<std::uint32_t>(c);
+    const bool touches = k.overlap[c] >= 0, grain = j >= 0, wall = touches & !grain;
+    found &= (i == last_i) & (j == last_j);
+    const bool bond = touches & grain & !found;
+    contact[count] = static_cast<std::uint32_t>(c);
     count += bond;
-    bonds.grains[i] += bond;
-    bonds.grains[grain ? static_cast<std::uint32_t>(j) : i] += bond;
-    bonds.walls[i] += touches & !grain;
-    bonds.wall_contacts += touches & !grain;
-    last_i = bond ? i : last_i;
-    last_j = bond ? j : last_j;
+    grains[i] += bond;
+    grains[grain ? static_cast<std::uint32_t>(j) : i] += bond;
+    walls[i] += wall;
+    wall_contacts += wall;
+    found |= touches;
+    last_i = i;
+    last_j = j;
   }
+  bonds.wall_contacts = wall_contacts;
   bonds.contact.resize(count);
   return bonds;
 }

@@ -8,13 +8,12 @@
 namespace jam {
 namespace {
 
-/// Edges of positive force of each grain.
-std::vector<std::uint32_t> degrees(const WeightedGraph& graph) {
-  std::vector<std::uint32_t> degree(graph.vertices, 0);
-  for (std::size_t e = 0; e < graph.edges(); ++e) {
-    const bool counts = graph.weight[e] > 0;
-    degree[graph.from[e]] += counts;
-    degree[graph.to[e]] += counts;
+/// Edges of positive force of each grain: those without force are the last.
+std::vector<std::uint32_t> degrees(const ComponentHistory& history) {
+  std::vector<std::uint32_t> degree(history.degree().begin(), history.degree().end());
+  for (std::uint32_t r = history.edges(); r-- > 0 && history.weight(r) == 0;) {
+    --degree[history.ends()[r].a];
+    --degree[history.ends()[r].b];
   }
   return degree;
 }
@@ -49,7 +48,7 @@ Measure percolation_measure() {
        {"mean_degree", "", "<k>, over the grains of the network: without rattlers where they are removed"}},
       [](const Snapshot& s) {
         const ClusterLevel& whole = s.levels().front();
-        const auto degree = degrees(s.network().graph);
+        const auto degree = degrees(s.history());
         const auto ends = static_cast<double>(std::accumulate(degree.begin(), degree.end(), std::uint64_t{0}));
         std::vector<double> row(whole.percolates.begin(), whole.percolates.end());
         row.push_back(whole.percolating_clusters > 0 ? 1 : 0);

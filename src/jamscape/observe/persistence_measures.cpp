@@ -1,5 +1,7 @@
 #include "jamscape/observe/persistence_measures.hpp"
 
+#include <algorithm>
+
 #include "jamscape/observe/entry.hpp"
 #include "jamscape/observe/threshold_grid.hpp"
 #include "jamscape/topology/betti.hpp"
@@ -86,15 +88,17 @@ Measure diagram_measure() {
        {"birth", "<F>", "threshold at which the class appears"},
        {"death", "<F>", "threshold at which it is gone"},
        {"essential", "", "1 where it never dies"}},
-      0, false, [](const Snapshot& s) {
-        std::vector<std::vector<double>> rows(4);
-        for (const PersistencePair& p : s.diagram().pairs) {
-          rows[0].push_back(p.dimension);
-          rows[1].push_back(p.birth);
-          rows[2].push_back(p.death);
-          rows[3].push_back(p.essential ? 1 : 0);
-        }
-        return rows;
+      0, false, [](const Snapshot& s) -> std::vector<std::vector<double>> {
+        const auto& pairs = s.diagram().pairs;
+        const auto column = [&](const auto& value) {
+          std::vector<double> numbers(pairs.size());
+          std::transform(pairs.begin(), pairs.end(), numbers.begin(), value);
+          return numbers;
+        };
+        return {column([](const PersistencePair& p) { return p.dimension; }),
+                column([](const PersistencePair& p) { return p.birth; }),
+                column([](const PersistencePair& p) { return p.death; }),
+                column([](const PersistencePair& p) { return p.essential ? 1 : 0; })};
       });
 }
 

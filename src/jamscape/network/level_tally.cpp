@@ -1,4 +1,4 @@
-#include "jamscape/network/cluster_tally.hpp"
+#include "jamscape/network/level_tally.hpp"
 
 #include <bit>
 
@@ -15,7 +15,7 @@ double ShapeSum::sum() {
   return s;
 }
 
-ClusterLevel ClusterTally::level() {
+ClusterLevel LevelTally::level() {
   ClusterLevel now;
   now.clusters = count_ - through_count_;
   now.cluster_vertices = vertices_ - through_vertices_;
