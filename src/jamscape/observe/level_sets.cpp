@@ -32,8 +32,8 @@ std::vector<std::vector<double>> level_sets(const Snapshot& s) {
 
   const auto grains = static_cast<double>(s.packing().grains.size());
   const auto add = [&](const auto& value) {
-    std::vector<double>& column = columns.emplace_back();
-    for (const ClusterLevel& l : s.levels()) column.push_back(value(l));
+    std::vector<double>& column = columns.emplace_back(s.levels().size());
+    std::transform(s.levels().begin(), s.levels().end(), column.begin(), value);
   };
   const auto part = [](double of, double all) { return all > 0 ? of / all : 0.0; };
   add([](const ClusterLevel& l) { return l.clusters; });

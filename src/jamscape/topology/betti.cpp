@@ -24,19 +24,21 @@ std::size_t betti(const Diagram& diagram, int dimension, double threshold, Level
 
 namespace {
 
-/// `curve[k]` at sorted thresholds.
+/// `curve[k]` at sorted thresholds: classes born by then, less those that have died.
 template <Level level>
 std::vector<std::size_t> sorted_curve(const Diagram& diagram, int dimension, std::span<const double> sorted) {
   const ThresholdFinder finder(sorted);
-  std::vector<std::size_t> ends(sorted.size() + 1,
-                                0);  // classes that are there for so many thresholds, from the lowest
-  for (const auto& p : pairs_of(diagram, dimension)) {
-    ++ends[finder.passed<level>(p.birth)];
-    ends[finder.passed<level>(p.death)] -= !p.essential;  // and no longer there
+  const auto pairs = pairs_of(diagram, dimension);
+  std::vector<std::size_t> deaths(sorted.size() + 1, 0);  // by the number of thresholds that they pass
+  for (const auto& p : pairs) deaths[finder.passed<level>(p.death)] += !p.essential;
+  std::vector<std::size_t> curve(sorted.size());
+  std::size_t born = 0, dead = 0;
+  for (std::size_t k = sorted.size(); k-- > 0;) {
+    while (born < pairs.size() && holds(pairs[born].birth, sorted[k], level)) ++born;  // births decrease
+    dead += deaths[k + 1];
+    curve[k] = born - dead;
   }
-  for (std::size_t k = sorted.size(); k-- > 0;) ends[k] += ends[k + 1];
-  ends.erase(ends.begin());
-  return ends;
+  return curve;
 }
 
 }  // namespace

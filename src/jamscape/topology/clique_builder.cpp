@@ -27,13 +27,10 @@ CliqueBuilder::CliqueBuilder(const OlderGraph& graph, std::span<const Ends> ends
   }
 }
 
-void CliqueBuilder::begin_edge(std::uint32_t rank) {
+void CliqueBuilder::add(std::uint32_t rank, std::span<const CommonNeighbour> common) {
   rank_ = rank;
-  for (std::uint32_t k = 2; k < dimension_; ++k) cliques_[k - 2].group[rank] = cliques_[k - 2].count();
-}
-
-void CliqueBuilder::add(std::span<const CommonNeighbour> common) {
   common_ = common;
+  for (std::uint32_t k = 2; k < dimension_; ++k) cliques_[k - 2].group[rank] = cliques_[k - 2].count();
   auto& triangles = cliques_[0];
   check_room(triangles);
   for (const auto& c : common) {
@@ -46,7 +43,7 @@ void CliqueBuilder::add(std::span<const CommonNeighbour> common) {
   links_.assign(n * n, OlderGraph::kNone);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      links_[i * n + j] = links_[j * n + i] = graph_.linked(common[i].vertex, common[j].vertex);
+      links_[i * n + j] = links_[j * n + i] = graph_.linked(common[i].vertex, common[j].vertex, rank);
     }
   }
   if (dimension_ == 2) {

@@ -17,11 +17,9 @@ class CliqueBuilder {
   CliqueBuilder(const OlderGraph& graph, std::span<const Ends> ends, std::uint32_t dimension,
                 std::vector<Cliques>& into);
 
-  /// Before the cliques of `rank` are added, for every rank in turn.
-  void begin_edge(std::uint32_t rank);
-  /// All cliques closed by an edge of the present rank with these common neighbours. A clique of the last dimension
+  /// All cliques closed by an edge with these common neighbours, rank by rank. A clique of the last dimension
   /// that certainly begins a class, being the youngest facet of a clique one dimension up, is marked kCleared.
-  void add(std::span<const CommonNeighbour> common);
+  void add(std::uint32_t rank, std::span<const CommonNeighbour> common);
 
  private:
   std::uint32_t link(std::size_t i, std::size_t j) const { return links_[i * common_.size() + j]; }

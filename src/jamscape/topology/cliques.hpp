@@ -17,9 +17,9 @@ enum Partner : std::uint32_t {
 
 struct Cliques {
   std::uint32_t dimension = 2;
-  std::vector<std::uint32_t> facets;   ///< k + 1 a clique: cells of dimension k - 1, the youngest first
-  std::vector<std::uint32_t> others;   ///< k - 1 a clique: its vertices outside the youngest edge, increasing
-  std::vector<std::uint32_t> group;    ///< of each edge rank: its first clique; kept only where the next dimension asks
+  std::vector<std::uint32_t> facets;  ///< k + 1 a clique: cells of dimension k - 1, the youngest first
+  std::vector<std::uint32_t> others;  ///< k - 1 a clique: its vertices outside the youngest edge, increasing
+  std::vector<std::uint32_t> group;   ///< of each rank with cliques: its first; kept only where the next dimension asks
   std::vector<std::uint32_t> partner;  ///< one a clique
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(partner.size()); }

@@ -1,12 +1,15 @@
 #include "jamscape/topology/filtration.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "jamscape/network/validate.hpp"
 #include "jamscape/topology/clique_builder.hpp"
 
 namespace jam {
 namespace {
+
+constexpr std::uint32_t kTogether = 64;  // edges; more: what is asked of them has left the cache when it is answered
 
 static_assert(kAtOnce == 1u << 31 && kUnpaired == ~0u && kUnpaired == (kNegative | 1u));
 
@@ -42,18 +45,22 @@ void Filtration::find_cliques(std::uint32_t dimension) {
   CliqueBuilder builder(older_, ends, std::min(dimension, largest), cliques);
   const auto n = edges();
   const auto early = history_->ahead();
-  for (std::uint32_t r = 0; r < n; ++r) {
-    if (r + early < n) {
-      older_.prefetch(ends[r + early]);
-      older_.prefetch_neighbours(ends[r + early / 2]);
+  std::array<OlderGraph::Question, kTogether + 1> asked;
+  for (std::uint32_t r = 0; r < n;) {
+    std::size_t count = 0;
+    for (const auto end = std::min(n, r + kTogether); r < end; ++r) {
+      if (r + early < n) {
+        older_.prefetch(ends[r + early]);
+        older_.prefetch_neighbours(ends[r + early / 2]);
+      }
+      asked[count] = older_.ask(ends[r], r);
+      count += (edge_partner[r] != kNegative) & (asked[count].hashes != 0);
+      older_.add(ends[r], r);
     }
-    const auto e = ends[r];
-    builder.begin_edge(r);
-    if ((edge_partner[r] != kNegative) & older_.may_share(e)) {
-      if (!older_.common(e, common_)) validate(history_->graph());  // a repeated edge: throws, naming it
-      if (!common_.empty()) builder.add(common_);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!older_.answer(asked[k], common_)) validate(history_->graph());  // a repeated edge: throws, naming it
+      if (!common_.empty()) builder.add(asked[k].rank, common_);
     }
-    older_.add(e, r);
   }
 }
 

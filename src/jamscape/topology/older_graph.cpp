@@ -7,7 +7,7 @@
 namespace jam {
 
 void OlderGraph::reset(std::span<const std::uint32_t> degree, std::span<const Ends> edges) {
-  added_ = max_degree_ = 0;
+  max_degree_ = 0;
   vertices_.resize(degree.size());
   std::uint32_t sum = 0;
   for (std::size_t v = 0; v < degree.size(); ++v) {
@@ -36,37 +36,37 @@ void OlderGraph::index_hubs(std::span<const std::uint32_t> degree, std::span<con
   }
 }
 
-std::uint32_t OlderGraph::linked_to_hub(std::uint32_t hub, std::uint32_t other) const {
+std::uint32_t OlderGraph::linked_to_hub(std::uint32_t hub, std::uint32_t other, std::uint32_t before) const {
   const auto last = hub_neighbours_.begin() + hub_begin_[hub + 1];
   const auto at = std::lower_bound(hub_neighbours_.begin() + hub_begin_[hub], last, other,
                                    [](Neighbour x, std::uint32_t vertex) { return x.vertex < vertex; });
-  return at != last && at->vertex == other && at->rank < added_ ? at->rank : kNone;
+  return at != last && at->vertex == other && at->rank < before ? at->rank : kNone;
 }
 
-std::uint32_t OlderGraph::linked(std::uint32_t x, std::uint32_t y) const {
+std::uint32_t OlderGraph::linked(std::uint32_t x, std::uint32_t y, std::uint32_t before) const {
   if ((vertices_[x].hashes & hash(y)) == 0) return kNone;
   if (around(x).size() > around(y).size()) std::swap(x, y);
-  if (around(x).size() > kHub) return linked_to_hub(x, y);
+  if (around(x).size() > kHub) return linked_to_hub(x, y, before);
   for (const auto n : around(x)) {
-    if (n.vertex == y) return n.rank;
+    if (n.vertex == y) return n.rank < before ? n.rank : kNone;
   }
   return kNone;
 }
 
-bool OlderGraph::common(Ends e, std::vector<CommonNeighbour>& found) const {
+bool OlderGraph::answer(const Question& q, std::vector<CommonNeighbour>& found) const {
   found.clear();
-  if (!may_share(e)) return true;
-  const auto both = vertices_[e.a].hashes & vertices_[e.b].hashes;
-  const bool swapped = around(e.a).size() > around(e.b).size();
-  const auto few = around(swapped ? e.b : e.a), many = around(swapped ? e.a : e.b);
-  const auto far = swapped ? e.a : e.b;
+  if (q.hashes == 0) return true;
+  const auto around_a = around(q.e.a, q.end_a), around_b = around(q.e.b, q.end_b);
+  const bool swapped = around_a.size() > around_b.size();
+  const auto few = swapped ? around_b : around_a, many = swapped ? around_a : around_b;
+  const auto far = swapped ? q.e.a : q.e.b;
   const auto add = [&](Neighbour n, std::uint32_t other) {
     found.push_back(swapped ? CommonNeighbour{n.vertex, other, n.rank} : CommonNeighbour{n.vertex, n.rank, other});
   };
   if (many.size() > kHub) {
     for (const auto n : few) {
       if (n.vertex == far) return false;
-      const auto other = (both & hash(n.vertex)) != 0 ? linked_to_hub(far, n.vertex) : kNone;
+      const auto other = (q.hashes & hash(n.vertex)) != 0 ? linked_to_hub(far, n.vertex, q.rank) : kNone;
       if (other != kNone) add(n, other);
     }
   } else {
@@ -76,7 +76,7 @@ bool OlderGraph::common(Ends e, std::vector<CommonNeighbour>& found) const {
     bool linked = false;
     for (const auto n : few) {
       likely[count] = n;
-      count += (both & hash(n.vertex)) != 0;
+      count += (q.hashes & hash(n.vertex)) != 0;
       linked |= n.vertex == far;
     }
     if (linked) return false;

@@ -1,5 +1,6 @@
 // A graph that grows edge by edge, oldest first, and answers which vertices its edges so far link to both of two
-// others.
+// others. It may be asked at one time and answer later, when more edges have come: whether an edge has any such vertex
+// no processor could guess, so it is cheaper to put aside the questions worth an answer than to go into each at once.
 //
 // Neighbours lie in one array with room for all, appended as edges come. Each vertex has 64 bits, one set for each
 // neighbour by a hash: two vertices without a bit in common have no neighbour in common, which settles most questions.
@@ -32,17 +33,23 @@ class OlderGraph {
   void add(Ends e, std::uint32_t rank) {
     append(vertices_[e.a], {e.b, rank});
     append(vertices_[e.b], {e.a, rank});
-    added_ = rank + 1;
   }
 
-  /// False where the two ends certainly have no common neighbour and are not linked.
-  bool may_share(Ends e) const { return (vertices_[e.a].hashes & (vertices_[e.b].hashes | hash(e.b))) != 0; }
+  /// Which vertices are linked to both ends by the edges added so far, those of ranks below `rank`?
+  struct Question {
+    Ends e;
+    std::uint32_t rank, end_a, end_b;
+    std::uint64_t hashes;  ///< 0 where there are certainly none, and the two ends are not linked
+  };
+  Question ask(Ends e, std::uint32_t rank) const {
+    const Vertex &a = vertices_[e.a], &b = vertices_[e.b];
+    return {e, rank, a.end, b.end, a.hashes & (b.hashes | hash(e.b))};
+  }
+  /// They, by increasing number. False if the two ends are linked.
+  bool answer(const Question& q, std::vector<CommonNeighbour>& found) const;
 
-  /// Vertices linked to both ends by edges added so far, by increasing number. False if the two ends are linked.
-  bool common(Ends e, std::vector<CommonNeighbour>& found) const;
-
-  /// Rank of the edge added between two vertices, kNone if there is none.
-  std::uint32_t linked(std::uint32_t x, std::uint32_t y) const;
+  /// Rank of the edge between two vertices, if it has been added and is below `before`; else kNone.
+  std::uint32_t linked(std::uint32_t x, std::uint32_t y, std::uint32_t before) const;
 
   std::uint32_t max_degree() const { return max_degree_; }
 
@@ -70,16 +77,16 @@ class OlderGraph {
     neighbours_[v.end++] = n;
     v.hashes |= hash(n.vertex);
   }
-  std::span<const Neighbour> around(std::uint32_t v) const {
-    return {neighbours_.data() + vertices_[v].begin, vertices_[v].end - vertices_[v].begin};
+  std::span<const Neighbour> around(std::uint32_t v, std::uint32_t end) const {
+    return {neighbours_.data() + vertices_[v].begin, end - vertices_[v].begin};
   }
+  std::span<const Neighbour> around(std::uint32_t v) const { return around(v, vertices_[v].end); }
   void index_hubs(std::span<const std::uint32_t> degree, std::span<const Ends> edges);
-  std::uint32_t linked_to_hub(std::uint32_t hub, std::uint32_t other) const;
+  std::uint32_t linked_to_hub(std::uint32_t hub, std::uint32_t other, std::uint32_t before) const;
 
   std::vector<Vertex> vertices_;
   std::vector<Neighbour> neighbours_;
   std::uint32_t max_degree_ = 0;
-  std::uint32_t added_ = 0;                // edges of smaller rank have been added
   std::vector<std::uint32_t> hub_begin_;   // one a vertex and one more, into hub_neighbours_; unused without hubs
   std::vector<Neighbour> hub_neighbours_;  // all edges of the hubs, also those not added yet
 };
