@@ -1,5 +1,7 @@
 #include "jamscape/observe/bond_blocks.hpp"
 
+#include <algorithm>
+
 namespace jam {
 
 BondBlocks::BondBlocks(const std::vector<std::uint32_t>& bonds) : slot_(bonds.size()), next_(bonds.size()) {
@@ -15,7 +17,9 @@ BondBlocks::BondBlocks(const std::vector<std::uint32_t>& bonds) : slot_(bonds.si
     blocks += runs_[n].blocks;
     size += runs_[n].blocks * n;
   }
-  directions_.resize(size);
+  directions_ = std::make_unique_for_overwrite<LaneDirections[]>(size);
+  for (std::uint32_t n = 0; n < grains.size(); ++n)  // only the last block of a run has lanes without a grain
+    if (runs_[n].blocks > 0) std::fill_n(&directions_[runs_[n].begin + (runs_[n].blocks - 1) * n], n, LaneDirections{});
   for (std::size_t i = 0; i < bonds.size(); ++i) {
     slot_[i] = grains[bonds[i]]++;
     const Run& run = runs_[bonds[i]];
@@ -23,11 +27,17 @@ BondBlocks::BondBlocks(const std::vector<std::uint32_t>& bonds) : slot_(bonds.si
   }
 }
 
-std::vector<LaneOrders> BondBlocks::orders() const {
-  std::vector<LaneOrders> orders(runs_.empty() ? 0 : runs_.back().first + runs_.back().blocks);
+std::unique_ptr<LaneOrders[]> BondBlocks::orders() const {
+  const std::size_t blocks = runs_.empty() ? 0 : runs_.back().first + runs_.back().blocks;
+  auto orders = std::make_unique_for_overwrite<LaneOrders[]>(blocks);
   std::vector<LaneBonds> sorted(runs_.size());
-  for (std::size_t n = 2; n < runs_.size(); ++n)
-    order_blocks(n, runs_[n].blocks, &directions_[runs_[n].begin], sorted.data(), &orders[runs_[n].first]);
+  for (std::size_t n = 0; n < runs_.size(); ++n) {
+    const Run& run = runs_[n];
+    if (n < 2)
+      std::fill_n(&orders[run.first], run.blocks, LaneOrders{});
+    else
+      order_blocks(n, run.blocks, &directions_[run.begin], sorted.data(), &orders[run.first]);
+  }
   return orders;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "jamscape/observe/bond_lanes.hpp"
@@ -23,7 +24,7 @@ class BondBlocks {
   }
 
   /// Of all blocks, zero where grains have fewer than two bonds. Every bond must be there.
-  std::vector<LaneOrders> orders() const;
+  std::unique_ptr<LaneOrders[]> orders() const;
   /// Where a grain is found in orders().
   std::size_t block(std::size_t grain) const { return slot_[grain] / bond_lanes; }
   std::size_t lane(std::size_t grain) const { return slot_[grain] % bond_lanes; }
@@ -33,10 +34,10 @@ class BondBlocks {
     std::uint32_t blocks, first, begin;  // number; first block and its first bond
   };
 
-  std::vector<Run> runs_;                   // by number of bonds
-  std::vector<std::uint32_t> slot_;         // of each grain: bond_lanes * block + lane
-  std::vector<std::uint32_t> next_;         // of each grain: where its next bond goes
-  std::vector<LaneDirections> directions_;  // 0 in lanes without a grain
+  std::vector<Run> runs_;                         // by number of bonds
+  std::vector<std::uint32_t> slot_;               // of each grain: bond_lanes * block + lane
+  std::vector<std::uint32_t> next_;               // of each grain: where its next bond goes
+  std::unique_ptr<LaneDirections[]> directions_;  // 0 in lanes without a grain
 };
 
 }  // namespace jam

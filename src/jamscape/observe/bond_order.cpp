@@ -35,7 +35,7 @@ BondOrder bond_order(const Packing& packing, const Bonds& pairs) {
   const std::size_t grains = pairs.grains.size();
   if (grains == 0 || packing.dimension != 2) return {};
   const BondBlocks list = list_bonds(packing, pairs);
-  const std::vector<LaneOrders> orders = list.orders();
+  const auto orders = list.orders();
   double printed = 0, closed = 0, local = 0, re = 0, im = 0;
   for (std::size_t i = 0; i < grains; ++i) {
     const LaneOrders& of = orders[list.block(i)];

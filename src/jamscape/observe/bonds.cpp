@@ -48,28 +48,28 @@ Bonds find_bonds(const Packing& packing) {
   bonds.grains.assign(packing.grains.size(), 0);
   bonds.walls.assign(packing.grains.size(), 0);
   bonds.contact.resize(k.size() + 1);
-  std::uint32_t *const contact = bonds.contact.data(), *const grains = bonds.grains.data(),
-                       *const walls = bonds.walls.data();
-  std::size_t count = 0, wall_contacts = 0;
+  std::size_t count = 0;
   std::int64_t last_i = -1, last_j = 0;
-  bool found = false;  // whether the pair of the last contact touches; all is counted without a branch
-  for (std::size_t c = 0, n = k.size(); c < n; ++c) {
+  bool found = false;  // whether the pair of the last contact touches; grains are counted without a branch
+  for (std::size_t c = 0; c < k.size(); ++c) {
     const std::uint32_t i = k.i[c];
     const std::int32_t j = k.j[c];
-    const bool touches = k.overlap[c] >= 0, grain = j >= 0, wall = touches & !grain;
+    const bool touches = k.overlap[c] >= 0;
+    if (j < 0) {
+      bonds.walls[i] += touches;
+      if (touches) bonds.wall_contact.push_back(static_cast<std::uint32_t>(c));
+      continue;
+    }
     found &= (i == last_i) & (j == last_j);
-    const bool bond = touches & grain & !found;
-    contact[count] = static_cast<std::uint32_t>(c);
+    const bool bond = touches & !found;
+    bonds.contact[count] = static_cast<std::uint32_t>(c);
     count += bond;
-    grains[i] += bond;
-    grains[grain ? static_cast<std::uint32_t>(j) : i] += bond;
-    walls[i] += wall;
-    wall_contacts += wall;
+    bonds.grains[i] += bond;
+    bonds.grains[static_cast<std::size_t>(j)] += bond;
     found |= touches;
     last_i = i;
     last_j = j;
   }
-  bonds.wall_contacts = wall_contacts;
   bonds.contact.resize(count);
   return bonds;
 }

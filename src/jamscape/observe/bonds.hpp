@@ -14,10 +14,10 @@
 namespace jam {
 
 struct Bonds {
-  std::vector<std::uint32_t> contact;  ///< of each touching pair of grains: the index of its first contact
-  std::vector<std::uint32_t> grains;   ///< of each grain: the number of grains it touches
-  std::vector<std::uint32_t> walls;    ///< of each grain: the number of its wall contacts
-  std::size_t wall_contacts = 0;
+  std::vector<std::uint32_t> contact;       ///< of each touching pair of grains: the index of its first contact
+  std::vector<std::uint32_t> wall_contact;  ///< indices of the wall contacts that touch
+  std::vector<std::uint32_t> grains;        ///< of each grain: the number of grains it touches
+  std::vector<std::uint32_t> walls;         ///< of each grain: the number of its wall contacts
 
   std::size_t size() const { return contact.size(); }
   std::uint32_t degree(std::size_t grain) const { return grains[grain] + walls[grain]; }

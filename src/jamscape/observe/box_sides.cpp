@@ -11,11 +11,11 @@ int wall_side(const Wall& wall, int dimension) {
   return 2 * axis + (wall.normal[axis] < 0);
 }
 
-std::vector<Sides> touched_sides(const Packing& packing) {
+std::vector<Sides> touched_sides(const Packing& packing, const Bonds& bonds) {
   const Contacts& k = packing.contacts;
   std::vector<Sides> sides(packing.grains.size(), 0);
-  for (std::size_t c = 0; c < k.size(); ++c) {
-    if (k.j[c] >= 0 || !(k.overlap[c] >= 0) || !(k.normal_force[c] > 0)) continue;
+  for (const std::uint32_t c : bonds.wall_contact) {
+    if (!(k.normal_force[c] > 0)) continue;
     const Wall& wall = packing.walls[static_cast<std::size_t>(-1 - k.j[c])];
     if (wall.kind == WallKind::cylinder) continue;
     const int side = wall_side(wall, packing.dimension);

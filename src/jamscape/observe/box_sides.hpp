@@ -14,7 +14,7 @@ namespace jam {
 int wall_side(const Wall& wall, int dimension);
 
 /// Of each grain the sides whose wall it touches: wall contacts with overlap >= 0 and positive normal force.
-std::vector<Sides> touched_sides(const Packing& packing);
+std::vector<Sides> touched_sides(const Packing& packing, const Bonds& bonds);
 
 /// Of each edge the periodic copy of its second grain; empty where no side is periodic.
 std::vector<BoxCopy> edge_images(const Packing& packing, const ForceNetwork& network);

@@ -25,7 +25,7 @@ Measure contacts_measure() {
        {"mean_normal_force", "m d/tau_c^2", "mean normal force of the edges; 0 without edges"}},
       [](const Snapshot& s) {
         return std::vector<double>{static_cast<double>(s.network().graph.edges()),
-                                   static_cast<double>(s.bonds().wall_contacts), mean_normal_force(s)};
+                                   static_cast<double>(s.bonds().wall_contact.size()), mean_normal_force(s)};
       });
 }
 

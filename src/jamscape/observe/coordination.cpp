@@ -16,7 +16,7 @@ Coordination coordination(const Bonds& bonds) {
   }
   const auto grains = static_cast<double>(n), both_ends = 2 * static_cast<double>(bonds.size());
   c.z = both_ends / grains;
-  c.z_walls = (both_ends + static_cast<double>(bonds.wall_contacts)) / grains;
+  c.z_walls = (both_ends + static_cast<double>(bonds.wall_contact.size())) / grains;
   if (multi > 0) c.z_multi = static_cast<double>(contacts_of_multi) / static_cast<double>(multi);
   c.rattlers = static_cast<double>(n - multi) / grains;
   return c;

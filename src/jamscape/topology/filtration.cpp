@@ -54,7 +54,8 @@ void Filtration::find_cliques(std::uint32_t dimension) {
         older_.prefetch_neighbours(ends[r + early / 2]);
       }
       asked[count] = older_.ask(ends[r], r);
-      count += (edge_partner[r] != kNegative) & (asked[count].hashes != 0);
+      const bool closes = edge_partner[r] != kNegative, may_share = asked[count].hashes != 0;
+      count += closes & may_share;
       older_.add(ends[r], r);
     }
     for (std::size_t k = 0; k < count; ++k) {

@@ -92,7 +92,5 @@ TEST(BondBlocks, AllVectorWidthsGiveTheBitsOfOneGrainAfterAnother) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-TEST(BondBlocks, NoGrainsNoBlocks) { EXPECT_TRUE(BondBlocks({}).orders().empty()); }
-
 }  // namespace
 }  // namespace jam

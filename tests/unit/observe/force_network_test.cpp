@@ -74,7 +74,7 @@ TEST(ForceNetwork, SeparatedGrainsAndWallsAreNoEdges) {
   const Snapshot s(p, {});
   EXPECT_EQ(s.network().graph.edges(), 1u);
   EXPECT_EQ(s.network().mean_force, 1);
-  EXPECT_EQ(s.bonds().wall_contacts, 1u);
+  EXPECT_EQ(s.bonds().wall_contact.size(), 1u);
 }
 
 TEST(ForceNetwork, SeveralContactsOfAPairAreOneEdgeWithTheirVectorSum) {
