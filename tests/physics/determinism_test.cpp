@@ -107,8 +107,14 @@ std::vector<double> integrate(const Kernels& kernels, Scheme scheme, bool few_pu
   constexpr std::size_t per_motion = 4;
   for (std::size_t c = 3; c < bodies.rows.size(); c += per_motion)
     if (c % Row<D>::stride != Row<D>::radius) bodies.rows[c] = 0;
-  BodyArrays b{bodies.rows.data(), bodies.forces.data(), bodies.inverse.data(), bodies.derivatives.data(),
-               bodies.calm.data(), count,                0.02,                  few_pushed,
+  BodyArrays b{bodies.rows.data(),
+               bodies.forces.data(),
+               bodies.inverse.data(),
+               bodies.derivatives.data(),
+               bodies.calm.data(),
+               count,
+               0.02,
+               few_pushed,
                {}};
   for (int step = 0; step < 500; ++step) {
     for (std::size_t k = 0; k < count; ++k) {

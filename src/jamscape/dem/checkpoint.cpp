@@ -51,7 +51,7 @@ std::vector<double> as_rows(const Bodies<D>& bodies) {
   return out;
 }
 
-/// Where the groups' runs begin; which parts they join and in which round only if there is more than one.
+/// Where the groups' runs begin; which parts they join and in which round only if there is more than one part.
 template <int D>
 void save_groups(const PairList<D>& pairs, Archive& out) {
   std::vector<std::int64_t> start{0}, a, b;
@@ -71,14 +71,14 @@ void load_groups(const Archive& in, PairList<D>& pairs, const Parts& parts) {
   std::vector<std::size_t> start;
   take(in, "engine/pair_start", start, false);
   std::vector<std::uint32_t> a(1, 0), b(1, 0);
-  pairs.first_of_round = {0, 1};
+  pairs.first_of_round = {0};
   if (parts.size() > 1) {
     take(in, "engine/group_a", a, false);
     take(in, "engine/group_b", b, false);
     take(in, "engine/first_of_round", pairs.first_of_round, false);
   }
   bool sound = start.size() == pair_runs * a.size() + 1 && b.size() == a.size() && !a.empty() &&
-               !pairs.first_of_round.empty() && pairs.first_of_round.back() == a.size() &&
+               !pairs.first_of_round.empty() && pairs.first_of_round.back() + parts.stretches() == a.size() &&
                std::is_sorted(pairs.first_of_round.begin(), pairs.first_of_round.end());
   for (std::size_t g = 0; sound && g < a.size(); ++g) sound = a[g] < parts.with_grains() && b[g] < parts.size();
   if (!sound)
@@ -174,9 +174,9 @@ void Engine<D>::load(const Archive& in) {
       plane_spring_[q] = plane_spring.at(q);
     else
       plane_spring_[q] = {plane_spring.at(3 * q), plane_spring.at(3 * q + 1), plane_spring.at(3 * q + 2)};
-  first_plane_.assign(1, 0);  // they stand by part
-  for (std::size_t q = 0, part = 0; part < parts_.with_grains(); ++part) {
-    while (q < plane_grain_.size() && parts_.of(plane_grain_[q]) == part) ++q;
+  first_plane_.assign(1, 0);  // they stand by stretch
+  for (std::size_t q = 0, stretch = 0; stretch < parts_.stretches(); ++stretch) {
+    while (q < plane_grain_.size() && parts_.stretch_of(plane_grain_[q]) == stretch) ++q;
     first_plane_.push_back(q);
   }
   if (first_plane_.back() != plane_grain_.size() || plane_wall_.size() != plane_grain_.size())

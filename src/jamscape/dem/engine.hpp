@@ -2,6 +2,7 @@
 //
 //   compute_forces()   forces at the present positions; after it record() shows this instant
 //   advance()          integrates to the next
+//   run()              both at once: a stretch of grains is moved as soon as the forces on it are known
 //
 // Energies are booked as they go, so that the ledger of a record closes to the integrator's order.
 #pragma once
@@ -103,16 +104,24 @@ class Engine {
     std::vector<Vec<D>> wall_force;   ///< of planes
   };
 
+  /// A simulation is given up when two bodies overlap by more than this part of the smaller radius. A grain pinned in
+  /// the corner of two bead walls may reach half of it in earnest.
+  static constexpr double deepest_overlap = 1.0;
+
+  void make_step();
   void relist();
   PairArrays pair_arrays(std::size_t part);
   PairRange range_of(std::size_t group, std::size_t run) const;
   void watch_near();
+  void begin_sums();
   void sum_pairs(std::size_t group);
-  void touch_planes(std::size_t part);
-  void pull_down(std::size_t part);
+  void sum_own(std::size_t part, bool move);
+  void touch_planes(std::size_t part, std::size_t stretch);
+  void pull_down(std::size_t part, std::size_t stretch);
+  void collect_beads();
   void add_up();
-  void collect_walls();
-  void move_bodies(std::size_t part);
+  void move_bodies(std::size_t part, std::size_t stretch);
+  void end_step();
   void shrink_box();
   [[noreturn]] void fail(std::size_t body, const std::string& problem) const;
 
@@ -138,10 +147,11 @@ class Engine {
   // near pairs that may touch before a body has gone farther than watch_until_: found anew then
   Aligned<std::uint32_t> watch_i_, watch_j_, watch_shift_, watch_pair_;
   std::vector<std::uint8_t> watch_touching_;
+  bool few_pushed_ = false;                                  ///< see BodyArrays
   std::vector<std::array<std::size_t, pair_runs>> watched_;  ///< by group of pairs
   double watch_until_ = -1, closing_ = 0;  ///< closing_: how much nearer two bodies came in the last step at most
-  // plane contacts, by part, wall, grain
-  std::vector<std::size_t> first_plane_;  ///< of each part, and the end
+  // plane contacts, by stretch, wall, grain
+  std::vector<std::size_t> first_plane_;  ///< of each stretch, and the end
   std::vector<std::uint32_t> plane_grain_, plane_wall_;
   std::vector<Axial<D>> plane_spring_;
 

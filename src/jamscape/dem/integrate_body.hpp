@@ -1,6 +1,6 @@
 // The integration passes, written once and compiled for every vector width. Bodies with inverse inertia 0 (wall beads)
 // keep their velocity. The last body comes first: the pair loop has just left it in the cache, and will begin with the
-// first one.
+// first one. Two motions go at a time; where most bodies touch nothing, one body, so that it can be left to drift.
 //
 // Verlet in leapfrog form: the row holds v(n-1/2); v += a dt; x += v dt. That is velocity Verlet whose forces see the
 // velocity of the half step (theory sec. 2.5).
@@ -17,134 +17,156 @@
 #include <cstring>
 
 #include "jamscape/dem/kernel.hpp"
+#include "jamscape/dem/motions.hpp"
 
 namespace jam {
 namespace {  // each file that includes this gets its own copy, compiled for its own vector width
 
-using Piece = double __attribute__((vector_size(32)));
-
-inline Piece& piece(double* p) { return *reinterpret_cast<Piece*>(p); }
-inline const Piece& piece(const double* p) { return *reinterpret_cast<const Piece*>(p); }
-inline Piece all(double a) { return Piece{a, a, a, a}; }
-
-inline void keep_larger(Piece& largest, const Piece& v) {
-  const Piece square = v * v;
-  largest = largest > square ? largest : square;
-}
-
-/// Inverse inertias for the components of motion m of body k.
-template <int D>
-Piece inverse_of(const BodyArrays& b, std::size_t k, int m) {
-  const double* q = b.inverse + 2 * k;
-  return D == 2 ? Piece{q[0], q[0], q[1], q[1]} : all(q[m]);
-}
+using Bits [[gnu::may_alias]] = std::uint64_t;
 
 /// Whether nothing has pushed: all bits are those of +0, as the pass before left them.
 template <int D>
 bool untouched(const double* force) {
-  using Bits [[gnu::may_alias]] = std::uint64_t;
   const Bits* b = reinterpret_cast<const Bits*>(force);
   std::uint64_t some = b[0] | b[1] | b[2];  // the fourth is 0 in any case
   if constexpr (D == 3) some |= b[4] | b[5] | b[6];
   return some == 0;
 }
 
-template <int D, bool skip>
-void verlet_loop(BodyArrays& b) {
-  using R = Row<D>;
-  const Piece dt = all(b.dt), zero = all(0);
-  Piece fastest = zero;
-  for (std::size_t k = b.count; k-- > 0;) {
-    double* row = b.rows + k * R::stride;
-    double* force = b.forces + k * R::force_stride;
-    const bool still = skip && untouched<D>(force);
-    for (int m = 0; m < R::motions; ++m) {
-      Piece v = piece(row + R::velocity_of(m));
-      if (still) {
-        v += zero;  // as a force of zero would: -0 becomes +0
-      } else {
-        v += piece(force + 4 * m) * inverse_of<D>(b, k, m) * dt;
-        piece(force + 4 * m) = zero;
-      }
-      if (m == 0) keep_larger(fastest, v);
-      piece(row + R::velocity_of(m)) = v;
-      piece(row + R::position_of(m)) += v * dt;
+template <int D>
+struct VerletPass {
+  BodyArrays& b;
+
+  template <class Unit>
+  JAM_INLINE void move(std::size_t k, typename Unit::Vector& fastest) const {
+    using V = typename Unit::Vector;
+    double* row = b.rows + k * Row<D>::stride;
+    double* forces = b.forces + k * Row<D>::force_stride;
+    for (int m = 0; m < Unit::vectors; ++m) {
+      V x, v, inverse;
+      Unit::load_motion(row, m, x, v);
+      Unit::load_inverse(b.inverse + 2 * k, m, inverse);
+      v += Unit::force(forces, m) * inverse * b.dt;
+      Unit::force(forces, m) = V{};
+      Unit::keep_fastest(fastest, m, v);
+      Unit::store_motion(row, m, x + v * b.dt, v);
     }
   }
-  for (int c = 0; c < 4; ++c) b.fastest[c] = fastest[c];
-}
+  /// What move() does where the force is zero. -0 becomes +0.
+  JAM_INLINE void drift(Piece& x, Piece& v) const {
+    v += Piece{};
+    x += v * b.dt;
+  }
+
+  void forget() const {}
+  bool may_drift(std::size_t) const { return true; }
+  void has_moved(std::size_t, bool) const {}
+};
 
 template <int D>
-void verlet(BodyArrays& b) {
-  b.few_pushed ? verlet_loop<D, true>(b) : verlet_loop<D, false>(b);
-}
-
-/// Sets the derivatives of a body in free flight to +0 once all are below 2^-767, where they change no position or
-/// velocity; true if so. They decay that far in some thirty steps, and no farther: one flushed to zero keeps the others.
-template <int D>
-bool calm_down(double* derivative) {
-  using Bits [[gnu::may_alias]] = std::uint64_t;
-  constexpr std::uint64_t upper_exponent = 0x7000000000000000;
-  constexpr int count = 12 * Row<D>::motions;
-  const Bits* b = reinterpret_cast<const Bits*>(derivative);
-  std::uint64_t some = 0;
-  for (int c = 0; c < count; ++c) some |= b[c];
-  if (some & upper_exponent) return false;
-  std::fill_n(derivative, count, 0.0);
-  return true;
-}
-
-template <int D, bool skip>
-void gear_loop(BodyArrays& b) {
-  using R = Row<D>;
-  constexpr double c0 = 19.0 / 90, c1 = 3.0 / 4, c3 = 1.0 / 2, c4 = 1.0 / 12;
+struct GearPass {
+  static constexpr double c0 = 19.0 / 90, c1 = 3.0 / 4, c3 = 1.0 / 2, c4 = 1.0 / 12;
+  static constexpr std::size_t derivatives = 12 * static_cast<std::size_t>(Row<D>::motions);
+  BodyArrays& b;
   const double h = b.dt;
-  const Piece k0 = all(c0 * h * h / 2), k1 = all(c1 * h / 2), k3 = all(3 * c3 / h), k4 = all(12 * c4 / (h * h));
-  const Piece t1 = all(h), t2 = all(h * h / 2), t3 = all(h * h * h / 6), t4 = all(h * h * h * h / 24), zero = all(0);
-  Piece fastest = zero;
-  for (std::size_t k = b.count; k-- > 0;) {
-    double* row = b.rows + k * R::stride;
-    double* force = b.forces + k * R::force_stride;
-    double* derivative = b.derivatives + k * 12 * R::motions;
-    const bool free = skip && untouched<D>(force);
-    if (free && b.calm[k]) {  // what follows, with zeros for force and derivatives
-      for (int m = 0; m < R::motions; ++m) {
-        Piece v = piece(row + R::velocity_of(m)), x = piece(row + R::position_of(m));
-        v += zero, x += zero;  // -0 becomes +0
-        if (m == 0) keep_larger(fastest, v);
-        piece(row + R::velocity_of(m)) = v;
-        piece(row + R::position_of(m)) = x + t1 * v;
-      }
-      continue;
-    }
-    for (int m = 0; m < R::motions; ++m, derivative += 12) {
-      Piece x = piece(row + R::position_of(m)), v = piece(row + R::velocity_of(m));
-      Piece a = piece(derivative), jerk = piece(derivative + 4), snap = piece(derivative + 8);
-      const Piece now = piece(force + 4 * m) * inverse_of<D>(b, k, m), da = now - a;
+  const double k0 = c0 * h * h / 2, k1 = c1 * h / 2, k3 = 3 * c3 / h, k4 = 12 * c4 / (h * h);
+  const double t1 = h, t2 = h * h / 2, t3 = h * h * h / 6, t4 = h * h * h * h / 24;
+
+  template <class Unit>
+  JAM_INLINE void move(std::size_t k, typename Unit::Vector& fastest) const {
+    using V = typename Unit::Vector;
+    double* row = b.rows + k * Row<D>::stride;
+    double* forces = b.forces + k * Row<D>::force_stride;
+    double* higher = b.derivatives + k * derivatives;
+    for (int m = 0; m < Unit::vectors; ++m) {
+      V x, v, a, jerk, snap, inverse;
+      Unit::load_motion(row, m, x, v);
+      Unit::load_derivatives(higher, m, a, jerk, snap);
+      Unit::load_inverse(b.inverse + 2 * k, m, inverse);
+      const V now = Unit::force(forces, m) * inverse, da = now - a;
+      Unit::force(forces, m) = V{};
       x += k0 * da;
       v += k1 * da;
       jerk += k3 * da;
       snap += k4 * da;
-      if (m == 0) keep_larger(fastest, v);
-      piece(row + R::position_of(m)) = x + t1 * v + t2 * now + t3 * jerk + t4 * snap;
+      Unit::keep_fastest(fastest, m, v);
+      x = x + t1 * v + t2 * now + t3 * jerk + t4 * snap;
       v = v + t1 * now + t2 * jerk + t3 * snap;
-      if (m == 0) keep_larger(fastest, v);
-      piece(row + R::velocity_of(m)) = v;
-      piece(derivative) = now + t1 * jerk + t2 * snap;
-      piece(derivative + 4) = jerk + t1 * snap;
-      piece(derivative + 8) = snap;
-      piece(force + 4 * m) = zero;
+      Unit::keep_fastest(fastest, m, v);
+      Unit::store_motion(row, m, x, v);
+      Unit::store_derivatives(higher, m, now + t1 * jerk + t2 * snap, jerk + t1 * snap, snap);
     }
-    if constexpr (skip) b.calm[k] = free && calm_down<D>(derivative - 12 * R::motions);
+  }
+  /// What move() does where force and derivatives are zero. -0 becomes +0.
+  JAM_INLINE void drift(Piece& x, Piece& v) const {
+    x += Piece{}, v += Piece{};
+    x += t1 * v;
+  }
+
+  void forget() const { std::memset(b.calm, 0, b.count); }
+  bool may_drift(std::size_t k) const { return b.calm[k]; }
+  /// Sets the derivatives of a body in free flight to +0 once all are below 2^-767, where they change no position or
+  /// velocity. They decay that far in some thirty steps, and no farther: one flushed to zero keeps the others.
+  void has_moved(std::size_t k, bool free) const {
+    constexpr std::uint64_t upper_exponent = 0x7000000000000000;
+    double* higher = b.derivatives + k * derivatives;
+    const Bits* bits = reinterpret_cast<const Bits*>(higher);
+    std::uint64_t some = 0;
+    for (std::size_t c = 0; c < derivatives; ++c) some |= bits[c];
+    b.calm[k] = free && !(some & upper_exponent);
+    if (b.calm[k]) std::fill_n(higher, derivatives, 0.0);
+  }
+};
+
+/// Body by body, leaving those nothing pushes to drift.
+template <int D, class Pass>
+void move_few(BodyArrays& b, const Pass& pass) {
+  using One = OneBody<D>;
+  Piece fastest{};
+  for (std::size_t k = b.count; k-- > 0;) {
+    const bool free = untouched<D>(b.forces + k * Row<D>::force_stride);
+    if (free && pass.may_drift(k)) {
+      double* row = b.rows + k * Row<D>::stride;
+      for (int m = 0; m < One::vectors; ++m) {
+        Piece x, v;
+        One::load_motion(row, m, x, v);
+        pass.drift(x, v);
+        One::keep_fastest(fastest, m, v);
+        One::store_motion(row, m, x, v);
+      }
+    } else {
+      pass.template move<One>(k, fastest);
+      pass.has_moved(k, free);
+    }
   }
   for (int c = 0; c < 4; ++c) b.fastest[c] = fastest[c];
 }
 
+template <int D, class Pass>
+void move_all(BodyArrays& b, const Pass& pass) {
+  using Unit = TwoMotions<D>;
+  pass.forget();
+  Piece one{};
+  Two fastest{};
+  std::size_t k = b.count;
+  for (; k % Unit::bodies; --k) pass.template move<OneBody<D>>(k - 1, one);
+  for (; k > 0; k -= Unit::bodies) pass.template move<Unit>(k - Unit::bodies, fastest);
+  for (int c = 0; c < 4; ++c) {
+    b.fastest[c] = larger(one[c], fastest[c]);
+    if (D == 2) b.fastest[c] = larger(b.fastest[c], fastest[c + 4]);  // of spheres that is the spin
+  }
+}
+
+template <int D>
+void verlet(BodyArrays& b) {
+  const VerletPass<D> pass{b};
+  b.few_pushed ? move_few<D>(b, pass) : move_all<D>(b, pass);
+}
+
 template <int D>
 void gear(BodyArrays& b) {
-  if (b.few_pushed) return gear_loop<D, true>(b);
-  std::memset(b.calm, 0, b.count);
-  gear_loop<D, false>(b);
+  const GearPass<D> pass{b};
+  b.few_pushed ? move_few<D>(b, pass) : move_all<D>(b, pass);
 }
 
 }  // namespace

@@ -63,9 +63,9 @@ struct PairArrays {
 struct BodyArrays {
   double* rows;
   double* forces;
-  const double* inverse;  ///< 1/m and 1/I of each body
-  double* derivatives;    ///< Gear: acceleration, jerk, snap, a piece of four doubles each, per motion
-  std::uint8_t* calm;     ///< Gear: 1 for bodies whose derivatives are all +0, as far as the passes before know
+  double* inverse;      ///< 1/m and 1/I of each body
+  double* derivatives;  ///< Gear: acceleration, jerk, snap, a piece of four doubles each, per motion
+  std::uint8_t* calm;   ///< Gear: 1 for bodies whose derivatives are all +0, as far as the passes before know
   std::size_t count;
   double dt;
   bool few_pushed;    ///< most bodies touch nothing: the passes then leave out what a force of zero does not change

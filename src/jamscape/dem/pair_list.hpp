@@ -5,7 +5,8 @@
 // padded to whole blocks. Within a run, grains go by tiles of 64, and each tile takes one partner of every grain in
 // turn: neighbours in the list then do not wait for each other's force sums.
 //
-// A packing cut into parts has such runs for every part, then for every two parts whose bodies are near each other.
+// A packing cut into parts has such runs for every two parts whose bodies are near each other, then for every stretch
+// of a part (see Parts); one that is not has those of its one stretch.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 #include "jamscape/base/thread_team.hpp"
 #include "jamscape/dem/bodies.hpp"
 #include "jamscape/dem/parts.hpp"
+#include "jamscape/dem/periodic.hpp"
 #include "jamscape/dem/rows.hpp"
 #include "jamscape/geometry/vec.hpp"
 
@@ -23,13 +25,7 @@ namespace jam {
 enum class PairKind { inner, across, bead };
 inline constexpr std::size_t pair_kinds = 3, pair_runs = 2 * pair_kinds;
 
-/// The box of a periodic simulation; lengths 0 where it is not periodic.
-template <int D>
-struct Periodic {
-  std::array<double, D> lo{}, length{};
-};
-
-/// The pairs within part a = b, or of the parts a < b.
+/// The pairs of the parts a < b, or of a stretch of part a = b with the rest of its part.
 struct PairGroup {
   std::uint32_t a = 0, b = 0;
   /// run 2 k: pairs of kind k that touched, run 2 k + 1: the near ones; run r is start[r] .. start[r + 1]
@@ -41,10 +37,11 @@ struct PairList {
   static constexpr std::size_t spring_size = D == 2 ? 1 : 3;
 
   std::vector<PairGroup> groups;  ///< each begins where the one before ends
-  /// groups first_of_round[r] .. first_of_round[r + 1] share no part; forces are summed round after round
-  std::vector<std::size_t> first_of_round;
+  /// groups first_of_round[r] .. first_of_round[r + 1] share no part; forces are summed round after round. From the
+  /// last one on, groups are those of the stretches, in their order.
+  std::vector<std::size_t> first_of_round{0};
   Aligned<std::uint32_t> i, j;   ///< i < j
-  Aligned<std::uint32_t> shift;  ///< kind `across`: which periodic image of j, a row of shifts()
+  Aligned<std::uint32_t> shift;  ///< kind `across`: which periodic image of j, a row of image_shifts()
   Aligned<double> mbar;          ///< reduced mass
   Aligned<double> springs;       ///< 2D: by pair; 3D: in blocks of 8 x, 8 y, 8 z
 
@@ -61,14 +58,6 @@ struct PairList {
     return springs.data() + (D == 2 ? k : k / block * 3 * block + k % block);
   }
 };
-
-/// Rows of four doubles, one for each of the 3^D neighbouring images of the box; number (3^D - 1)/2 is no shift.
-template <int D>
-Aligned<double> image_shifts(const Periodic<D>& box);
-
-/// The image numbers (-1, 0, 1 in each direction) of a row of image_shifts().
-template <int D>
-std::array<std::int8_t, 3> image_of(std::uint32_t shift);
 
 /// All pairs closer than the sum of radii + skin, springs taken over from `old` (made of the same bodies, whose grains
 /// may have been reordered since: `old_id` is their id array of that time). Reduced mass: m_i m_j / (m_i + m_j), and

@@ -14,8 +14,9 @@ std::size_t divide_up(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 Parts::Parts(int dimension, std::size_t grains, std::size_t beads) : grains_(grains), beads_(beads), length_(grains) {
   if (grains < least_grains) return;
   const std::size_t wanted = divide_up(grains, even * most_grains(dimension)) * even;
-  length_ = divide_up(grains, wanted * tile) * tile;
+  length_ = divide_up(grains, wanted * stretch_length) * stretch_length;
   with_grains_ = divide_up(grains, length_);
+  stretches_ = divide_up(grains, stretch_length);
   size_ = with_grains_ + divide_up(beads, beads_of_part);
 }
 

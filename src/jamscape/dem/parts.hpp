@@ -2,8 +2,10 @@
 // index, and wall beads, which go along their wall, too. The cut depends on the numbers of bodies alone, never on the
 // number of threads, and so do the order of sums and every bit of a result.
 //
-//   pairs within a part    belong to it: all parts at a time
-//   pairs of two parts     come after, in rounds: no part is in two pairs of parts of a round
+//   pairs of two parts     come first, in rounds: no part is in two pairs of parts of a round
+//   pairs within a part    come after, all parts at a time, stretch by stretch: a stretch of grains has the pairs whose
+//                          first body is in it. No body comes before the first one of its pairs, so then the forces on
+//                          the stretch are complete, and it is moved while the cache still holds it
 //   sums (energies, ...)   are taken by part, and added in the order of parts
 #pragma once
 
@@ -21,11 +23,13 @@ class Parts {
   static constexpr std::size_t least_grains = 20000;
   /// Grains of a part at most. Smaller parts share more pairs with others, whose bodies have to be fetched once more:
   /// spheres more than discs. Larger ones leave too few for many threads.
-  static constexpr std::size_t most_grains(int dimension) { return dimension == 2 ? 4096 : 8192; }
+  static constexpr std::size_t most_grains(int dimension) { return dimension == 2 ? 4096 : 16384; }
   /// Parts are a multiple of this many, about: two and four threads then have equal shares.
   static constexpr std::size_t even = 4;
   static constexpr std::size_t beads_of_part = 256;
-  /// Grains of a part are a multiple of this, the tile of the pair list.
+  /// Grains of a stretch; a packing of one part is one stretch.
+  static constexpr std::size_t stretch_length = 512;
+  /// The tile of the pair list; stretches are a multiple of it.
   static constexpr std::size_t tile = 64;
 
   Parts() = default;
@@ -45,13 +49,26 @@ class Parts {
   };
   /// The grains of a part that holds some.
   Range grains(std::size_t part) const { return {part * length_, std::min(grains_, (part + 1) * length_)}; }
+  /// Stretches are counted through all parts.
+  std::size_t stretches() const { return stretches_; }
+  /// Those of a part that holds grains.
+  Range stretches_of(std::size_t part) const {
+    const std::size_t each = with_grains_ == 1 ? 1 : length_ / stretch_length;
+    return {part * each, std::min((part + 1) * each, stretches_)};
+  }
+  std::size_t stretch_of(std::size_t grain) const { return with_grains_ == 1 ? 0 : grain / stretch_length; }
+  /// The grains of a stretch.
+  Range stretch(std::size_t s) const {
+    return with_grains_ == 1 ? Range{0, grains_}
+                             : Range{s * stretch_length, std::min(grains_, (s + 1) * stretch_length)};
+  }
   /// The same, and all beads with the last one.
-  Range bodies(std::size_t part) const {
-    return {part * length_, part + 1 == with_grains_ ? grains_ + beads_ : (part + 1) * length_};
+  Range bodies_of_stretch(std::size_t s) const {
+    return {stretch(s).begin, s + 1 == stretches_ ? grains_ + beads_ : stretch(s).end};
   }
 
  private:
-  std::size_t grains_ = 0, beads_ = 0, length_ = 0, with_grains_ = 1, size_ = 1;
+  std::size_t grains_ = 0, beads_ = 0, length_ = 0, with_grains_ = 1, size_ = 1, stretches_ = 1;
 };
 
 /// Two parts a < b, and how many pairs of bodies they share.

@@ -8,6 +8,7 @@
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/flush_to_zero.hpp"
+#include "jamscape/dem/parts.hpp"
 #include "jamscape/protocol/plan.hpp"
 #include "jamscape/protocol/relaxation.hpp"
 #include "jamscape/protocol/scene.hpp"
@@ -210,6 +211,7 @@ class Run {
 
 int physics_revision(const SystemOptions& system) {
   if (is_container(system.domain.walls)) return 3;
+  if (system.grains.count >= static_cast<std::int64_t>(Parts::least_grains)) return 4;
   return !hertzian(system.contact.law) && system.domain.dimension == 2 ? 1 : 2;
 }
 

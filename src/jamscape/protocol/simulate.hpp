@@ -16,6 +16,7 @@ namespace jam {
 /// Raised whenever a change of the code changes the bits of a simulation of this kind; part of a task's hash.
 ///   1   linear law, two dimensions
 ///   3   clusters in a container
+///   4   discs or spheres enough for several parts (dem/parts.hpp)
 ///   2   everything else, since the Coulomb limit is compared in squares and before the factor x^(1/2)
 int physics_revision(const SystemOptions& system);
 

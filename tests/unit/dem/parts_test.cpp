@@ -13,8 +13,11 @@ TEST(Parts, a_small_packing_is_one_part_with_all_its_beads) {
     EXPECT_EQ(parts.size(), 1u);
     EXPECT_EQ(parts.with_grains(), 1u);
     EXPECT_EQ(parts.grains(0).end, grains);
-    EXPECT_EQ(parts.bodies(0).begin, 0u);
-    EXPECT_EQ(parts.bodies(0).end, grains + 300);
+    ASSERT_EQ(parts.stretches(), 1u);
+    EXPECT_EQ(parts.stretches_of(0).end, 1u);
+    EXPECT_EQ(parts.bodies_of_stretch(0).begin, 0u);
+    EXPECT_EQ(parts.bodies_of_stretch(0).end, grains + 300);
+    EXPECT_EQ(parts.stretch(0).end, grains);
     EXPECT_EQ(parts.of(grains + 299), 0u);
   }
 }
@@ -26,7 +29,7 @@ TEST(Parts, every_body_of_a_large_packing_is_in_one_part) {
       const Parts parts(dimension, grains, beads);
       ASSERT_GE(parts.with_grains(), 3u);
       EXPECT_EQ(parts.size(), parts.with_grains() + 4);  // 1000 beads, 256 a part
-      std::size_t next = 0;
+      std::size_t next = 0, stretch = 0;
       for (std::size_t p = 0; p < parts.with_grains(); ++p) {
         const auto [begin, end] = parts.grains(p);
         EXPECT_EQ(begin, next);
@@ -35,11 +38,20 @@ TEST(Parts, every_body_of_a_large_packing_is_in_one_part) {
         EXPECT_LE(end - begin, Parts::most_grains(dimension));
         EXPECT_EQ(parts.of(begin), p);
         EXPECT_EQ(parts.of(end - 1), p);
-        EXPECT_EQ(parts.bodies(p).begin, begin);
-        EXPECT_EQ(parts.bodies(p).end, p + 1 == parts.with_grains() ? grains + beads : end);
+        ASSERT_EQ(parts.stretches_of(p).begin, stretch);
+        for (std::size_t from = begin; from < end; from = parts.stretch(stretch++).end) {
+          EXPECT_EQ(parts.stretch(stretch).begin, from);
+          EXPECT_EQ(parts.stretch_of(from), stretch);
+          EXPECT_LE(parts.stretch(stretch).end, end);
+          EXPECT_EQ(parts.bodies_of_stretch(stretch).begin, from);
+          EXPECT_EQ(parts.bodies_of_stretch(stretch).end,
+                    stretch + 1 == parts.stretches() ? grains + beads : parts.stretch(stretch).end);
+        }
+        ASSERT_EQ(parts.stretches_of(p).end, stretch);
         next = end;
       }
       EXPECT_EQ(next, grains);
+      EXPECT_EQ(stretch, parts.stretches());
       EXPECT_EQ(parts.of(grains), parts.with_grains());
       EXPECT_EQ(parts.of(grains + beads - 1), parts.size() - 1);
     }
