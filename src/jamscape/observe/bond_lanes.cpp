@@ -9,6 +9,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace jam::HWY_NAMESPACE {
+namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<double, bond_lanes>;
@@ -58,6 +59,8 @@ HWY_INLINE void insert(Bond b, std::size_t k, LaneBonds* sorted, std::size_t lan
 HWY_INLINE Lanes cos_of_gap(const Phase& a, const Phase& b) {
   return hn::Add(hn::Mul(a.re, b.re), hn::Mul(a.im, b.im));
 }
+
+}  // namespace
 
 void order_blocks(std::size_t bonds, std::size_t blocks, const LaneDirections* directions, LaneBonds* sorted,
                   LaneOrders* orders) {
