@@ -31,12 +31,13 @@ struct Shared {
 
 /// Writes the touching or the near ones of `found` to the list from `at` on, tile by tile. Returns where they end.
 template <int D>
-std::size_t put(PairList<D>& list, std::size_t at, const std::vector<Near>& found, bool touching) {
-  std::array<std::size_t, Parts::tile> next, end;
+std::size_t put(PairList<D>& list, std::size_t at, const std::vector<Near>& found, bool touching,
+                std::size_t tile_size) {
+  std::array<std::size_t, Parts::widest_tile> next, end;
   for (std::size_t from = 0; from < found.size();) {
-    const std::uint32_t tile = found[from].i / Parts::tile;
+    const std::size_t tile = found[from].i / tile_size;
     std::size_t grains = 0, q = from;
-    for (; q < found.size() && found[q].i / Parts::tile == tile; ++q) {
+    for (; q < found.size() && found[q].i / tile_size == tile; ++q) {
       if (q == from || found[q].i != found[q - 1].i) next[grains++] = q;
       end[grains - 1] = q + 1;
     }
@@ -152,7 +153,7 @@ PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double s
   team.run(list.groups.size(), [&](std::size_t g) {
     const PairGroup& group = list.groups[g];
     for (std::size_t run = 0; run < pair_runs; ++run) {
-      const std::size_t end = put<D>(list, group.start[run], shared[g]->found[run / 2], run % 2 == 0);
+      const std::size_t end = put<D>(list, group.start[run], shared[g]->found[run / 2], run % 2 == 0, parts.tile());
       for (std::size_t k = group.start[run]; k < end; ++k) {
         const std::uint32_t a = list.i[k], b = list.j[k];
         list.mbar[k] =

@@ -29,8 +29,8 @@ class Parts {
   static constexpr std::size_t beads_of_part = 256;
   /// Grains of a stretch; a packing of one part is one stretch.
   static constexpr std::size_t stretch_length = 512;
-  /// The tile of the pair list; stretches are a multiple of it.
-  static constexpr std::size_t tile = 64;
+  /// The widest tile of the pair list; stretches are a multiple of it.
+  static constexpr std::size_t widest_tile = 64;
 
   Parts() = default;
   Parts(int dimension, std::size_t grains, std::size_t beads);
@@ -38,6 +38,8 @@ class Parts {
   /// That hold grains, the first ones.
   std::size_t with_grains() const { return with_grains_; }
   std::size_t size() const { return size_; }
+  /// Grains of a tile of the pair list. Out of the cache, fewer bodies in use at a time are better.
+  std::size_t tile() const { return with_grains_ == 1 ? widest_tile : widest_tile / 2; }
   std::uint32_t of(std::size_t body) const {
     if (size_ == 1) return 0;
     return static_cast<std::uint32_t>(body < grains_ ? body / length_

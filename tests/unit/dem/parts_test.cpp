@@ -33,7 +33,7 @@ TEST(Parts, every_body_of_a_large_packing_is_in_one_part) {
       for (std::size_t p = 0; p < parts.with_grains(); ++p) {
         const auto [begin, end] = parts.grains(p);
         EXPECT_EQ(begin, next);
-        EXPECT_EQ(begin % Parts::tile, 0u);
+        EXPECT_EQ(begin % Parts::widest_tile, 0u);
         ASSERT_LT(begin, end);
         EXPECT_LE(end - begin, Parts::most_grains(dimension));
         EXPECT_EQ(parts.of(begin), p);
