@@ -48,7 +48,7 @@ template <int D>
 void Engine<D>::begin_sums() {
   if (stale_) relist();
   if (!(moved_ < watch_until_)) watch_near();
-  few_pushed_ = pairs_.touching() < bodies_.grains / 8;
+  few_pushed_ = pairs_.touching() < bodies_.grains / 2;
   for (Sums& sums : sums_) {
     for (auto* slots : {&sums.tally.damped, &sums.tally.rubbed, &sums.tally.virial})
       std::fill(std::begin(*slots), std::end(*slots), 0.0);

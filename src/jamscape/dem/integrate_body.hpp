@@ -24,12 +24,12 @@ namespace {  // each file that includes this gets its own copy, compiled for its
 
 using Bits [[gnu::may_alias]] = std::uint64_t;
 
-/// Whether nothing has pushed: all bits are those of +0, as the pass before left them.
-template <int D>
-bool untouched(const double* force) {
-  const Bits* b = reinterpret_cast<const Bits*>(force);
-  std::uint64_t some = b[0] | b[1] | b[2];  // the fourth is 0 in any case
-  if constexpr (D == 3) some |= b[4] | b[5] | b[6];
+/// Whether nothing has pushed: all bits of these forces are those of +0, as the pass before left them.
+template <std::size_t count>
+JAM_INLINE bool untouched(const double* forces) {
+  const Bits* b = reinterpret_cast<const Bits*>(forces);
+  std::uint64_t some = 0;
+  for (std::size_t c = 0; c < count; ++c) some |= b[c];
   return some == 0;
 }
 
@@ -53,8 +53,9 @@ struct VerletPass {
     }
   }
   /// What move() does where the force is zero. -0 becomes +0.
-  JAM_INLINE void drift(Piece& x, Piece& v) const {
-    v += Piece{};
+  template <class V>
+  JAM_INLINE void drift(V& x, V& v) const {
+    v += V{};
     x += v * b.dt;
   }
 
@@ -98,8 +99,9 @@ struct GearPass {
     }
   }
   /// What move() does where force and derivatives are zero. -0 becomes +0.
-  JAM_INLINE void drift(Piece& x, Piece& v) const {
-    x += Piece{}, v += Piece{};
+  template <class V>
+  JAM_INLINE void drift(V& x, V& v) const {
+    x += V{}, v += V{};
     x += t1 * v;
   }
 
@@ -108,6 +110,7 @@ struct GearPass {
   /// Sets the derivatives of a body in free flight to +0 once all are below 2^-767, where they change no position or
   /// velocity. They decay that far in some thirty steps, and no farther: one flushed to zero keeps the others.
   void has_moved(std::size_t k, bool free) const {
+    if (free && b.calm[k]) return;
     constexpr std::uint64_t upper_exponent = 0x7000000000000000;
     double* higher = b.derivatives + k * derivatives;
     const Bits* bits = reinterpret_cast<const Bits*>(higher);
@@ -118,55 +121,63 @@ struct GearPass {
   }
 };
 
-/// Body by body, leaving those nothing pushes to drift.
-template <int D, class Pass>
-void move_few(BodyArrays& b, const Pass& pass) {
-  using One = OneBody<D>;
-  Piece fastest{};
-  for (std::size_t k = b.count; k-- > 0;) {
-    const bool free = untouched<D>(b.forces + k * Row<D>::force_stride);
-    if (free && pass.may_drift(k)) {
+/// The bodies of a unit from k on. `few`: leaves them to drift where it can.
+template <int D, class Unit, bool few, class Pass>
+JAM_INLINE void visit(BodyArrays& b, const Pass& pass, std::size_t k, typename Unit::Vector& fastest) {
+  constexpr std::size_t force_stride = Row<D>::force_stride;
+  if constexpr (!few) {
+    pass.template move<Unit>(k, fastest);
+  } else {
+    bool drift = untouched<Unit::bodies * force_stride>(b.forces + k * force_stride);
+    for (std::size_t n = 0; n < Unit::bodies; ++n) drift = drift && pass.may_drift(k + n);
+    if (drift) {
       double* row = b.rows + k * Row<D>::stride;
-      for (int m = 0; m < One::vectors; ++m) {
-        Piece x, v;
-        One::load_motion(row, m, x, v);
+      for (int m = 0; m < Unit::vectors; ++m) {
+        typename Unit::Vector x, v;
+        Unit::load_motion(row, m, x, v);
         pass.drift(x, v);
-        One::keep_fastest(fastest, m, v);
-        One::store_motion(row, m, x, v);
+        Unit::keep_fastest(fastest, m, v);
+        Unit::store_motion(row, m, x, v);
       }
     } else {
-      pass.template move<One>(k, fastest);
-      pass.has_moved(k, free);
+      bool free[Unit::bodies];
+      for (std::size_t n = 0; n < Unit::bodies; ++n)
+        free[n] = untouched<force_stride>(b.forces + (k + n) * force_stride);
+      pass.template move<Unit>(k, fastest);
+      for (std::size_t n = 0; n < Unit::bodies; ++n) pass.has_moved(k + n, free[n]);
     }
   }
-  for (int c = 0; c < 4; ++c) b.fastest[c] = fastest[c];
+}
+
+template <int D, bool few, class Pass>
+void move(BodyArrays& b, const Pass& pass) {
+  using Unit = TwoMotions<D>;
+  Piece one{};
+  Two both{};
+  std::size_t k = b.count;
+  for (; k % Unit::bodies; --k) visit<D, OneBody<D>, few>(b, pass, k - 1, one);
+  for (; k > 0; k -= Unit::bodies) visit<D, Unit, few>(b, pass, k - Unit::bodies, both);
+  for (int c = 0; c < 4; ++c) {
+    b.fastest[c] = larger(one[c], both[c]);
+    if (D == 2) b.fastest[c] = larger(b.fastest[c], both[c + 4]);  // of spheres that is the spin
+  }
 }
 
 template <int D, class Pass>
-void move_all(BodyArrays& b, const Pass& pass) {
-  using Unit = TwoMotions<D>;
+void integrate(BodyArrays& b, const Pass& pass) {
+  if (b.few_pushed) return move<D, true>(b, pass);
   pass.forget();
-  Piece one{};
-  Two fastest{};
-  std::size_t k = b.count;
-  for (; k % Unit::bodies; --k) pass.template move<OneBody<D>>(k - 1, one);
-  for (; k > 0; k -= Unit::bodies) pass.template move<Unit>(k - Unit::bodies, fastest);
-  for (int c = 0; c < 4; ++c) {
-    b.fastest[c] = larger(one[c], fastest[c]);
-    if (D == 2) b.fastest[c] = larger(b.fastest[c], fastest[c + 4]);  // of spheres that is the spin
-  }
+  move<D, false>(b, pass);
 }
 
 template <int D>
 void verlet(BodyArrays& b) {
-  const VerletPass<D> pass{b};
-  b.few_pushed ? move_few<D>(b, pass) : move_all<D>(b, pass);
+  integrate<D>(b, VerletPass<D>{b});
 }
 
 template <int D>
 void gear(BodyArrays& b) {
-  const GearPass<D> pass{b};
-  b.few_pushed ? move_few<D>(b, pass) : move_all<D>(b, pass);
+  integrate<D>(b, GearPass<D>{b});
 }
 
 }  // namespace
