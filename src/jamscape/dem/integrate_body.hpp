@@ -24,12 +24,12 @@ namespace {  // each file that includes this gets its own copy, compiled for its
 
 using Bits [[gnu::may_alias]] = std::uint64_t;
 
-/// Whether nothing has pushed: all bits of these forces are those of +0, as the pass before left them.
-template <std::size_t count>
-JAM_INLINE bool untouched(const double* forces) {
-  const Bits* b = reinterpret_cast<const Bits*>(forces);
-  std::uint64_t some = 0;
-  for (std::size_t c = 0; c < count; ++c) some |= b[c];
+/// Whether nothing has pushed a body: all bits are those of +0, as the pass before left them.
+template <int D>
+JAM_INLINE bool untouched(const double* force) {
+  const Bits* b = reinterpret_cast<const Bits*>(force);
+  std::uint64_t some = b[0] | b[1] | b[2];  // the fourth is 0 in any case
+  if constexpr (D == 3) some |= b[4] | b[5] | b[6];
   return some == 0;
 }
 
@@ -110,14 +110,19 @@ struct GearPass {
   /// Sets the derivatives of a body in free flight to +0 once all are below 2^-767, where they change no position or
   /// velocity. They decay that far in some thirty steps, and no farther: one flushed to zero keeps the others.
   void has_moved(std::size_t k, bool free) const {
-    if (free && b.calm[k]) return;
+    if (free == static_cast<bool>(b.calm[k])) return;
+    if (!free) {
+      b.calm[k] = 0;
+      return;
+    }
     constexpr std::uint64_t upper_exponent = 0x7000000000000000;
     double* higher = b.derivatives + k * derivatives;
     const Bits* bits = reinterpret_cast<const Bits*>(higher);
     std::uint64_t some = 0;
     for (std::size_t c = 0; c < derivatives; ++c) some |= bits[c];
-    b.calm[k] = free && !(some & upper_exponent);
-    if (b.calm[k]) std::fill_n(higher, derivatives, 0.0);
+    if (some & upper_exponent) return;
+    std::fill_n(higher, derivatives, 0.0);
+    b.calm[k] = 1;
   }
 };
 
@@ -128,8 +133,11 @@ JAM_INLINE void visit(BodyArrays& b, const Pass& pass, std::size_t k, typename U
   if constexpr (!few) {
     pass.template move<Unit>(k, fastest);
   } else {
-    bool drift = untouched<Unit::bodies * force_stride>(b.forces + k * force_stride);
-    for (std::size_t n = 0; n < Unit::bodies; ++n) drift = drift && pass.may_drift(k + n);
+    bool free[Unit::bodies], drift = true;
+    for (std::size_t n = 0; n < Unit::bodies; ++n) {
+      free[n] = untouched<D>(b.forces + (k + n) * force_stride);
+      drift = drift & free[n] & pass.may_drift(k + n);
+    }
     if (drift) {
       double* row = b.rows + k * Row<D>::stride;
       for (int m = 0; m < Unit::vectors; ++m) {
@@ -140,9 +148,6 @@ JAM_INLINE void visit(BodyArrays& b, const Pass& pass, std::size_t k, typename U
         Unit::store_motion(row, m, x, v);
       }
     } else {
-      bool free[Unit::bodies];
-      for (std::size_t n = 0; n < Unit::bodies; ++n)
-        free[n] = untouched<force_stride>(b.forces + (k + n) * force_stride);
       pass.template move<Unit>(k, fastest);
       for (std::size_t n = 0; n < Unit::bodies; ++n) pass.has_moved(k + n, free[n]);
     }

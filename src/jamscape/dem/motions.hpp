@@ -80,8 +80,12 @@ struct TwoMotions {
   }
   static JAM_INLINE Two& force(double* forces, int) { return two(forces); }
   static JAM_INLINE void load_inverse(const double* q, int, Two& inverse) {
-    inverse = D == 2 ? Two{q[0], q[0], q[1], q[1], q[2], q[2], q[3], q[3]}
-                     : Two{q[0], q[0], q[0], q[0], q[1], q[1], q[1], q[1]};
+    if constexpr (D == 2) {
+      const Piece p = *reinterpret_cast<const Piece*>(q);
+      inverse = __builtin_shufflevector(p, p, 0, 0, 1, 1, 2, 2, 3, 3);
+    } else {
+      inverse = Two{q[0], q[0], q[0], q[0], q[1], q[1], q[1], q[1]};
+    }
   }
   static JAM_INLINE void load_derivatives(double* d, int, Two& a, Two& jerk, Two& snap) {
     const Two p = two(d), q = two(d + 8), r = two(d + 16);  // a jerk | snap a | jerk snap
