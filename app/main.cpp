@@ -46,7 +46,8 @@ ExitCode run_program(int argc, char** argv) {
       program.exit(error);
       return ExitCode::done;
     }
-    throw usage_error(error.what(), "jamscape", "jamscape --help");
+    const std::string command = argc > 1 && argv[1][0] != '-' ? fmt::format("jamscape {}", argv[1]) : "jamscape";
+    throw usage_error(error.what(), command, command + " --help");
   }
   return action();
 }

@@ -2,9 +2,9 @@
 // spheres too. A network is timed only if both give the same diagram. Both go in turns, one after the other, round by
 // round.
 //
-//   persistence_bench [--rounds N] [--json FILE] [NETWORK...]     7 rounds; without names the five smaller networks:
-//   some
-//                                                                 minutes. The others take many, most to make them.
+//   persistence_bench [--rounds N] [--json FILE] [NETWORK...]
+//
+// 7 rounds; without names the five smaller networks: some minutes. The others take many, most to make them.
 //
 // Memory is what the call has at most on the heap at a time, its result included, the graph not. The level sweep
 // (clusters, percolation, S_p) has 61 thresholds, Betti curves 101; Betti curves are read from a diagram that is there.

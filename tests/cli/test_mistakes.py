@@ -106,7 +106,8 @@ kind = "settle"
         self.assertIn("jamscape run", self.program("rum", code=2).stderr)
         self.assertIn("--help", self.program(code=2).stderr)
         self.program("run", code=2)
-        self.program("run", "tiny.toml", "--jobs", "0", code=2)
+        error = self.program("run", "tiny.toml", "--jobs", "0", code=2).stderr
+        self.assertIn("jamscape run --help", error)
         self.assertIn("i/n", self.program("run", "tiny.toml", "--shard", "3/2", code=2).stderr)
         self.assertIn("key=value", self.program("run", "tiny.toml", "--set", "friction", code=2).stderr)
         self.assertIn("no effect", self.program("run", "tiny.toml", "--set", "contact.friction=1", code=2).stderr)

@@ -1,10 +1,9 @@
 // The force of one contact as a pure function of a few numbers (scalars T: double, or SIMD lanes of doubles).
 //
 //   n            unit normal from i to j;  x > 0 overlap;  v = v_i - v_j;  v_n = -(v.n) speed of separation
-//   normal       F_n = s(x) (k_n x - gamma_n mbar v_n),      s = 1 (linear) or sqrt(x) (Hertz)      [S1 App. A; S2 Eq.
-//   1] tangential   v_t = v - n (v.n) + (l_i w_i + l_j w_j) x n,   xi += v_t dt,   xi -= n (n.xi)
-//                F* = -s(x) (k_t xi + gamma_t mbar v_t),   cut at |F*| = mu |F_n|, xi then reset so that F* is the cut
-//                force
+//   normal       F_n = s(x) (k_n x - gamma_n mbar v_n),   s = 1 (linear) or sqrt(x) (Hertz)     [S1 App. A; S2 Eq. 1]
+//   tangential   v_t = v - n (v.n) + (l_i w_i + l_j w_j) x n,   xi += v_t dt,   xi -= n (n.xi)
+//                F* = -s(x) (k_t xi + gamma_t mbar v_t),   cut at |F*| = mu |F_n|, xi then reset to give that force;
 //                s(x) stands in all of these, so the limit is applied before it: no division by s, none without sliding
 //   tsuji        is hertz with mbar / x^(1/4) in the dashpots
 //   ratio        is linear with mbar^(1/2) in the dashpots, and cut at |F*| = mu k_n x                    [S3 Eq. 3, 5]

@@ -18,8 +18,8 @@ struct Bodies {
   Spread<double> rows;    ///< see Row<D>
   Spread<double> forces;  ///< cleared by the integrator
   // warm: read by the integrator once a step
-  Aligned<double> inverse;      ///< 1/m and 1/I of each body
-  Aligned<double> derivatives;  ///< Gear only: acceleration, jerk, snap a motion
+  Aligned<double> inverse;         ///< 1/m and 1/I of each body
+  Aligned<double> derivatives;     ///< Gear only: acceleration, jerk, snap a motion
   std::vector<std::uint8_t> calm;  ///< Gear only: see BodyArrays; follows from the derivatives
   // cold
   std::vector<std::uint32_t> id;  ///< of grains; beads have id = index

@@ -98,20 +98,23 @@ void Engine<D>::check() const {
     Vec<D> d = bodies_.position(pairs_.j[k]) - bodies_.position(pairs_.i[k]);
     for (int c = 0; c < D; ++c) d[c] += shifts_[4 * pairs_.shift[k] + static_cast<std::size_t>(c)];
     const double overlap = bodies_.radius(pairs_.i[k]) + bodies_.radius(pairs_.j[k]) - norm(d);
-    if (overlap > deepest_overlap * std::min(bodies_.radius(pairs_.i[k]), bodies_.radius(pairs_.j[k])))
-      fail(pairs_.i[k], "overlaps its neighbour by " + std::to_string(overlap) + ", more than a radius");
+    if (overlap <= deepest_overlap * std::min(bodies_.radius(pairs_.i[k]), bodies_.radius(pairs_.j[k]))) continue;
+    const std::string depth = std::to_string(overlap) + ", more than a radius";
+    if (pairs_.j[k] < bodies_.grains) fail(pairs_.i[k], "overlaps its neighbour by " + depth);
+    fail(
+        pairs_.i[k], "is pressed into a wall bead by " + depth,
+        "it is being squeezed out of the box, as happens in corners at high compression, or the time step is too long");
   }
 }
 
 template <int D>
-void Engine<D>::fail(std::size_t body, const std::string& problem) const {
+void Engine<D>::fail(std::size_t body, const std::string& problem, const std::string& reason) const {
   std::string place;
   for (int c = 0; c < D; ++c) place += (c ? ", " : "") + std::to_string(bodies_.row(body)[c]);
   throw Diverged("step " + std::to_string(step_) + ": " +
                  (body < bodies_.grains ? "grain " + std::to_string(bodies_.id[body])
                                         : "wall bead " + std::to_string(body - bodies_.grains)) +
-                 " at (" + place + ") " + problem +
-                 "; likely the time step is too long for the stiffness, or the walls are too fast");
+                 " at (" + place + ") " + problem + "; likely " + reason);
 }
 
 template class Engine<2>;

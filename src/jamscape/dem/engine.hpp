@@ -123,7 +123,9 @@ class Engine {
   void move_bodies(std::size_t part, std::size_t stretch);
   void end_step();
   void shrink_box();
-  [[noreturn]] void fail(std::size_t body, const std::string& problem) const;
+  [[noreturn]] void fail(
+      std::size_t body, const std::string& problem,
+      const std::string& reason = "the time step is too long for the stiffness, or the walls are too fast") const;
 
   const Kernels* kernels_;
   NormalLaw kind_;

@@ -23,12 +23,12 @@ class Parts {
   static constexpr std::size_t least_grains = 20000;
   /// Grains of a part at most. Smaller parts share more pairs with others, whose bodies have to be fetched once more:
   /// spheres more than discs. Larger ones leave too few for many threads.
-  static constexpr std::size_t most_grains(int dimension) { return dimension == 2 ? 4096 : 16384; }
-  /// Parts are a multiple of this many, about: two and four threads then have equal shares.
-  static constexpr std::size_t even = 4;
+  static constexpr std::size_t most_grains(int dimension) { return dimension == 2 ? 4096 : 32768; }
+  /// Parts are a multiple of this many, about: two threads then have equal shares.
+  static constexpr std::size_t even = 2;
   static constexpr std::size_t beads_of_part = 256;
   /// Grains of a stretch; a packing of one part is one stretch.
-  static constexpr std::size_t stretch_length = 512;
+  static constexpr std::size_t stretch_length = 1024;
   /// The widest tile of the pair list; stretches are a multiple of it.
   static constexpr std::size_t widest_tile = 64;
 
