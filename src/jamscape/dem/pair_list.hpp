@@ -2,7 +2,7 @@
 //
 // Pairs stand in the order in which their forces are summed. Three kinds: grain-grain, grain-grain across a periodic
 // face, grain-bead; each kind has a run of pairs that touched when the list was made and a run of those that were near,
-// padded to whole blocks. Within a run, grains go by tiles (see Parts), and each tile takes one partner of every grain in
+// padded to whole blocks. Within a run, grains go by tiles (see Parts); a tile takes one partner of every grain in
 // turn: neighbours in the list then do not wait for each other's force sums.
 //
 // A packing cut into parts has such runs for every two parts whose bodies are near each other, then for every stretch

@@ -28,10 +28,14 @@ class PairSearch {
     bool inside = true;
     for (std::size_t e = 0; e < D; ++e) inside = inside && at[e] > 0 && at[e] + 1 < grid_.cells[e];
     if (inside) {  // cells side by side along the first axis are one range
-      for (std::uint32_t s = 1; s < images<D>; s += 3) {
-        const std::uint32_t c = grid_.index(neighbour(at, s));
-        look(row, a, grid_.first[c - 1], grid_.first[c + 2], no_shift<D>);
-      }
+      const std::uint32_t line = static_cast<std::uint32_t>(grid_.cells[0]);
+      const std::uint32_t plane = D == 3 ? line * static_cast<std::uint32_t>(grid_.cells[1]) : 0;
+      const std::uint32_t lowest = grid_.index(at) - line - plane;
+      for (std::uint32_t z = 0; z < (D == 3 ? 3 : 1); ++z)
+        for (std::uint32_t y = 0; y < 3; ++y) {
+          const std::uint32_t c = lowest + y * line + z * plane;
+          look(row, a, grid_.first[c - 1], grid_.first[c + 2], no_shift<D>);
+        }
     } else {
       for (std::uint32_t s = 0; s < images<D>; ++s) {
         std::array<int, D> cell = neighbour(at, s);

@@ -12,16 +12,7 @@ Aligned<double> image_shifts(const Periodic<D>& box) {
   return rows;
 }
 
-template <int D>
-std::array<std::int8_t, 3> image_of(std::uint32_t shift) {
-  std::array<std::int8_t, 3> image{};
-  for (std::size_t e = 0; e < D; ++e, shift /= 3) image[e] = static_cast<std::int8_t>(static_cast<int>(shift % 3) - 1);
-  return image;
-}
-
 template Aligned<double> image_shifts<2>(const Periodic<2>&);
 template Aligned<double> image_shifts<3>(const Periodic<3>&);
-template std::array<std::int8_t, 3> image_of<2>(std::uint32_t);
-template std::array<std::int8_t, 3> image_of<3>(std::uint32_t);
 
 }  // namespace jam

@@ -27,6 +27,10 @@ Aligned<double> image_shifts(const Periodic<D>& box);
 
 /// The image numbers (-1, 0, 1 in each direction) of a row of image_shifts().
 template <int D>
-std::array<std::int8_t, 3> image_of(std::uint32_t shift);
+constexpr std::array<std::int8_t, 3> image_of(std::uint32_t shift) {
+  std::array<std::int8_t, 3> image{};
+  for (std::size_t e = 0; e < D; ++e, shift /= 3) image[e] = static_cast<std::int8_t>(static_cast<int>(shift % 3) - 1);
+  return image;
+}
 
 }  // namespace jam
