@@ -3,9 +3,7 @@
 //   engine_bench state FILE STEPS    JSON: the forces of every contact at LAMMPS's step 0 by our law; positions,
 //                                    velocities, spins and forces of the grains at its steps 1 and STEPS by our engine
 //   engine_bench time FILE STEPS     JSON: seconds of the stepping loop alone
-//   engine_bench schemes FILE STEPS  JSON: the same by integration scheme, springs anew; a tenth of the steps goes
-//   before
-//                                    the clock
+//   engine_bench schemes FILE STEPS  JSON: the same with Verlet and with Gear, springs anew, after a tenth of the steps
 //   engine_bench copies FILE STEPS THREADS COPIES
 //                                    JSON: the same of COPIES x COPIES (x COPIES) such packings side by side, springs
 //                                    anew, and the memory a grain takes; a tenth of the steps goes before the clock

@@ -105,7 +105,8 @@ class Engine {
   };
 
   /// A simulation is given up when two bodies overlap by more than this part of the smaller radius. A grain pinned in
-  /// the corner of two bead walls may reach half of it in earnest.
+  /// the corner of two bead walls may come near it in earnest; beyond, it is between the beads and about to leave the
+  /// box.
   static constexpr double deepest_overlap = 1.0;
 
   void make_step();
@@ -149,9 +150,9 @@ class Engine {
   // near pairs that may touch before a body has gone farther than watch_until_: found anew then
   Aligned<std::uint32_t> watch_i_, watch_j_, watch_shift_, watch_pair_;
   std::vector<std::uint8_t> watch_touching_;
-  bool few_pushed_ = false;                                  ///< see BodyArrays
   std::vector<std::array<std::size_t, pair_runs>> watched_;  ///< by group of pairs
   double watch_until_ = -1, closing_ = 0;  ///< closing_: how much nearer two bodies came in the last step at most
+  bool few_pushed_ = false;                ///< see BodyArrays; of the present list
   // plane contacts, by stretch, wall, grain
   std::vector<std::size_t> first_plane_;  ///< of each stretch, and the end
   std::vector<std::uint32_t> plane_grain_, plane_wall_;

@@ -1,4 +1,4 @@
-// When lists are made, and of which width.
+// When lists are made, of which width, and what kernels get of them.
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // The integration passes, written once and compiled for every vector width. Bodies with inverse inertia 0 (wall beads)
 // keep their velocity. The last body comes first: the pair loop has just left it in the cache, and will begin with the
-// first one. Two motions go at a time; where most bodies touch nothing, one body, so that it can be left to drift.
+// first one. Two motions go at a time; where few bodies are pushed, the two are left to drift if nothing pushes either.
 //
 // Verlet in leapfrog form: the row holds v(n-1/2); v += a dt; x += v dt. That is velocity Verlet whose forces see the
 // velocity of the half step (theory sec. 2.5).
@@ -126,7 +126,7 @@ struct GearPass {
   }
 };
 
-/// The bodies of a unit from k on. `few`: leaves them to drift where it can.
+/// The bodies of a unit, from k on. `few`: they are left to drift where nothing else moves them.
 template <int D, class Unit, bool few, class Pass>
 JAM_INLINE void visit(BodyArrays& b, const Pass& pass, std::size_t k, typename Unit::Vector& fastest) {
   constexpr std::size_t force_stride = Row<D>::force_stride;

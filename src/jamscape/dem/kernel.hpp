@@ -63,12 +63,12 @@ struct PairArrays {
 struct BodyArrays {
   double* rows;
   double* forces;
-  double* inverse;      ///< 1/m and 1/I of each body
-  double* derivatives;  ///< Gear: acceleration, jerk, snap, a piece of four doubles each, per motion
-  std::uint8_t* calm;   ///< Gear: 1 for bodies whose derivatives are all +0, as far as the passes before know
+  const double* inverse;  ///< 1/m and 1/I of each body
+  double* derivatives;    ///< Gear: acceleration, jerk, snap, a piece of four doubles each, per motion
+  std::uint8_t* calm;     ///< Gear: 1 for bodies whose derivatives are all +0, as far as the passes before know
   std::size_t count;
   double dt;
-  bool few_pushed;    ///< most bodies touch nothing: the passes then leave out what a force of zero does not change
+  bool few_pushed;    ///< the passes may look for bodies that nothing pushes, and leave out what that does not change
   double fastest[4];  ///< out: largest squares of the velocity components; the fourth is 0
 };
 

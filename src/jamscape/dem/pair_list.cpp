@@ -63,6 +63,7 @@ struct OfPart {
   std::vector<Shared> across;  ///< with others of higher index, in the order found
 };
 
+/// Looks for the pairs of a part.
 template <int D>
 OfPart share(const Bodies<D>& bodies, PairSearch<D> search, const Parts& parts, std::size_t part) {
   OfPart of;

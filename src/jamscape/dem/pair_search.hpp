@@ -10,6 +10,8 @@
 
 namespace jam {
 
+/// A body near another: its index, the image of the box in which it is near (a row of image_shifts()), whether they
+/// touch.
 struct FoundBody {
   std::uint32_t j, shift;
   bool touching;

@@ -11,12 +11,14 @@ std::size_t divide_up(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
 }  // namespace
 
-Parts::Parts(int dimension, std::size_t grains, std::size_t beads) : grains_(grains), beads_(beads), length_(grains) {
+Parts::Parts(int dimension, std::size_t grains, std::size_t beads) : grains_(grains), beads_(beads) {
+  length_ = stretch_ = std::max(grains, std::size_t{1});
   if (grains < least_grains) return;
   const std::size_t wanted = divide_up(grains, even * most_grains(dimension)) * even;
   length_ = divide_up(grains, wanted * stretch_length) * stretch_length;
   with_grains_ = divide_up(grains, length_);
-  stretches_ = divide_up(grains, stretch_length);
+  stretch_ = stretch_length;
+  stretches_ = divide_up(grains, stretch_);
   size_ = with_grains_ + divide_up(beads, beads_of_part);
 }
 

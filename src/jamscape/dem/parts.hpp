@@ -55,22 +55,21 @@ class Parts {
   std::size_t stretches() const { return stretches_; }
   /// Those of a part that holds grains.
   Range stretches_of(std::size_t part) const {
-    const std::size_t each = with_grains_ == 1 ? 1 : length_ / stretch_length;
+    const std::size_t each = length_ / stretch_;
     return {part * each, std::min((part + 1) * each, stretches_)};
   }
-  std::size_t stretch_of(std::size_t grain) const { return with_grains_ == 1 ? 0 : grain / stretch_length; }
+  std::size_t stretch_of(std::size_t grain) const { return grain / stretch_; }
   /// The grains of a stretch.
-  Range stretch(std::size_t s) const {
-    return with_grains_ == 1 ? Range{0, grains_}
-                             : Range{s * stretch_length, std::min(grains_, (s + 1) * stretch_length)};
-  }
+  Range stretch(std::size_t s) const { return {s * stretch_, std::min(grains_, (s + 1) * stretch_)}; }
   /// The same, and all beads with the last one.
   Range bodies_of_stretch(std::size_t s) const {
     return {stretch(s).begin, s + 1 == stretches_ ? grains_ + beads_ : stretch(s).end};
   }
 
  private:
-  std::size_t grains_ = 0, beads_ = 0, length_ = 0, with_grains_ = 1, size_ = 1, stretches_ = 1;
+  std::size_t grains_ = 0, beads_ = 0;
+  std::size_t length_ = 1, stretch_ = 1;  // grains of a part and of a stretch at most
+  std::size_t with_grains_ = 1, size_ = 1, stretches_ = 1;
 };
 
 /// Two parts a < b, and how many pairs of bodies they share.
