@@ -22,7 +22,6 @@ inline PairLaw<> s3_law(double eta, double mu, bool clipped = true) {
   law.mu = mu;
   law.lever_cut = 0.5;
   law.floor = clipped ? 0 : -std::numeric_limits<double>::infinity();
-  law.damping_limit = std::numeric_limits<double>::infinity();
   return law;
 }
 

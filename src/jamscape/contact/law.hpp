@@ -28,13 +28,13 @@ struct PairLaw {
   T k_n, gamma_n, k_t, gamma_t;
   T inverse_k_t;  ///< 0 where k_t is 0
   T mu;
-  T lever_cut;      ///< lever arm = R - lever_cut x: 0 or 1/2
-  T floor;          ///< smallest normal force: -infinity (unclipped) or 0 (clipped)
-  T damping_limit;  ///< F_n = 0 where |dashpot| > damping_limit |spring|: infinity, or 1 (the rule printed in S2)
+  T lever_cut;   ///< lever arm = R - lever_cut x: 0 or 1/2
+  T floor;       ///< smallest normal force: -infinity (unclipped) or 0 (clipped)
+  bool printed;  ///< F_n = 0 where |dashpot| > |spring|: the rule printed in S2
 
   template <class U>
   JAM_INLINE PairLaw<U> as() const {
-    return {U(k_n), U(gamma_n), U(k_t), U(gamma_t), U(inverse_k_t), U(mu), U(lever_cut), U(floor), U(damping_limit)};
+    return {U(k_n), U(gamma_n), U(k_t), U(gamma_t), U(inverse_k_t), U(mu), U(lever_cut), U(floor), printed};
   }
 };
 
@@ -128,12 +128,12 @@ JAM_INLINE auto with_law(NormalLaw law, F&& f) {
   return f.template operator()<NormalLaw::linear>();
 }
 
-/// The normal force alone, before s(x); mbar is damped_mass().
+/// The normal force alone, before s(x); mbar is damped_mass(), `approach` the speed at which the two come closer, -v_n.
 template <class T>
-JAM_INLINE T normal_force(const PairLaw<T>& c, T x, T mbar, T v_n) {
-  const T spring = c.k_n * x, dashpot = c.gamma_n * mbar * v_n;
-  const T force = larger(spring - dashpot, c.floor);
-  return select(magnitude(dashpot) > c.damping_limit * spring, T(0.0), force);
+JAM_INLINE T normal_force(const PairLaw<T>& c, T x, T mbar, T approach) {
+  const T spring = c.k_n * x, dashpot = c.gamma_n * mbar * approach;
+  const T force = larger(spring + dashpot, c.floor);
+  return c.printed ? select(magnitude(dashpot) > spring, T(0.0), force) : force;
 }
 
 /// The largest tangential force before s(x), `bare` being the normal force before it.
@@ -146,18 +146,19 @@ JAM_INLINE T coulomb_limit(const PairLaw<T>& c, T x, T bare) {
 }
 
 /// Forces of a contact; `spring` is advanced by v_t dt and reset at the Coulomb limit.
-/// `lw` = l_i w_i + l_j w_j.
-template <int D, NormalLaw law, bool friction, class T>
+/// `lw` = l_i w_i + l_j w_j. `fused` (three dimensions): products that are added are rounded once (geometry/vec.hpp).
+/// What only sliding needs is left out where nothing slides.
+template <int D, NormalLaw law, bool friction, bool fused = false, class T>
 JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, T pair_mass, const Vec<D, T>& v,
                                   const Axial<D, T>& lw, Axial<D, T>& spring, T dt) {
   TouchForce<D, T> out;
   constexpr bool shaped = hertzian(law);
-  const T s = shape<law>(x), approach = dot(v, n), v_n = -approach, mbar = damped_mass<law>(pair_mass, s);
-  const T bare = normal_force(c, x, mbar, v_n);
+  const T s = shape<law>(x), approach = dot<fused>(v, n), mbar = damped_mass<law>(pair_mass, s);
+  const T bare = normal_force(c, x, mbar, approach);
   T elastic = c.k_n * x;
   out.normal = bare;
   if constexpr (shaped) out.normal = s * bare, elastic = s * elastic;
-  out.damped = (elastic - out.normal) * v_n;
+  out.damped = (out.normal - elastic) * approach;
   out.rubbed = T(0.0);
   out.limit = T(0.0);
   if constexpr (!friction) {
@@ -167,48 +168,59 @@ JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, 
       out.tangential = {T(0.0), T(0.0), T(0.0)};
     return out;
   } else {
-    const T cap = coulomb_limit<law>(c, x, bare), damping = c.gamma_t * mbar;
+    const T cap = coulomb_limit<law>(c, x, bare), damping = -c.gamma_t * mbar;
     out.limit = cap;
     if constexpr (shaped) out.limit = s * cap;
     if constexpr (D == 2) {
       const T v_t = n[0] * v[1] - n[1] * v[0] + lw;
       const T trial = spring + v_t * dt, dashpot = damping * v_t;
-      const T wanted = -(c.k_t * trial + dashpot);
-      T force = larger(smaller(wanted, cap), -cap);
-      const auto slides = magnitude(wanted) > cap;
-      spring = select(slides, -(force + dashpot) * c.inverse_k_t, trial);
-      if constexpr (shaped) force = s * force;
-      out.tangential = force;
-      if constexpr (shaped) {
-        out.rubbed = -(force * v_t) * dt;
-      } else {
-        const T lost = T(0.5) * c.k_t * (trial * trial - spring * spring), dash_power = dashpot * v_t;
-        out.rubbed = select(slides, lost + dash_power * dt, T(0.0));
-        out.damped = out.damped + select(slides, T(0.0), dash_power);
-      }
-    } else {
-      const Vec<3, T> v_t = v - approach * n + cross(lw, n);
-      Vec<3, T> trial = spring + dt * v_t;
-      trial = trial - dot(n, trial) * n;
-      const Vec<3, T> dashpot = damping * v_t;
-      Vec<3, T> force = T(-1.0) * (c.k_t * trial + dashpot);
+      T force = dashpot - c.k_t * trial, dash_power = dashpot * v_t;
+      const auto slides = magnitude(force) > cap;
       spring = trial;
-      const T size2 = dot(force, force);
+      if (any(slides)) {
+        force = larger(smaller(force, cap), -cap);
+        spring = select(slides, (dashpot - force) * c.inverse_k_t, trial);
+        if constexpr (!shaped) {
+          const T lost = T(0.5) * c.k_t * (trial * trial - spring * spring);
+          out.rubbed = select(slides, lost - dash_power * dt, T(0.0));
+          dash_power = select(slides, T(0.0), dash_power);
+        }
+      }
+      if constexpr (shaped) {
+        force = s * force;
+        out.rubbed = (force * v_t) * -dt;
+      } else {
+        out.damped = out.damped - dash_power;
+      }
+      out.tangential = force;
+    } else {
+      const Vec<3, T> v_t = add_cross<fused>(subtract_product<fused>(v, approach, n), lw, n);
+      Vec<3, T> trial = add_product<fused>(spring, dt, v_t);
+      trial = subtract_product<fused>(trial, dot<fused>(n, trial), n);
+      const Vec<3, T> dashpot = damping * v_t;
+      Vec<3, T> force = subtract_product<fused>(dashpot, c.k_t, trial);
+      spring = trial;
+      const T size2 = dot<fused>(force, force);
       const auto slides = size2 > cap * cap;
+      T dash_power = T(0.0);
+      if constexpr (!shaped) dash_power = dot<fused>(dashpot, v_t);
       if (any(slides)) {
         force = select(slides, cap / square_root(size2), T(1.0)) * force;
-        const Vec<3, T> reset = (-c.inverse_k_t) * (force + dashpot);
+        const Vec<3, T> reset = c.inverse_k_t * (dashpot - force);
         for (int k = 0; k < 3; ++k) spring[k] = select(slides, reset[k], trial[k]);
+        if constexpr (!shaped) {
+          const T lost = T(0.5) * c.k_t * (dot<fused>(trial, trial) - dot<fused>(spring, spring));
+          out.rubbed = select(slides, lost - dash_power * dt, T(0.0));
+          dash_power = select(slides, T(0.0), dash_power);
+        }
       }
-      if constexpr (shaped) force = s * force;
-      out.tangential = force;
       if constexpr (shaped) {
-        out.rubbed = -dot(force, v_t) * dt;
+        force = s * force;
+        out.rubbed = dot<fused>(force, v_t) * -dt;
       } else {
-        const T lost = T(0.5) * c.k_t * (dot(trial, trial) - dot(spring, spring)), dash_power = dot(dashpot, v_t);
-        out.rubbed = select(slides, lost + dash_power * dt, T(0.0));
-        out.damped = out.damped + select(slides, T(0.0), dash_power);
+        out.damped = out.damped - dash_power;
       }
+      out.tangential = force;
     }
     return out;
   }

@@ -26,7 +26,7 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
       d[c] = (p.shift ? b[c] + shift : b[c]) - a[c];
       v[c] = a[R::velocity + static_cast<std::size_t>(c)] - b[R::velocity + static_cast<std::size_t>(c)];
     }
-    const double reach = a[R::radius] + b[R::radius], r2 = dot(d, d);
+    const double reach = a[R::radius] + b[R::radius], r2 = dot<fused<D>>(d, d);
     if (!(r2 < reach * reach)) {
       if constexpr (friction) {
         if constexpr (!hertzian(law)) p.tally->rubbed[k % block] += spring_energy(range.law.k_t, spring);
@@ -37,12 +37,13 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
     const std::size_t slot = (range.sparse ? touching++ : k) % block;
     const double r = square_root(r2), inverse = 1.0 / r, x = reach - r;
     const Vec<D> n = inverse * d;
-    const double lever_i = a[R::radius] - range.law.lever_cut * x, lever_j = b[R::radius] - range.law.lever_cut * x;
-    const Axial<D> lw = levered_spin<D>(a, lever_i) + levered_spin<D>(b, lever_j);
-    const auto f = touch<D, law, friction>(range.law, n, x, p.mbar[k], v, lw, spring, p.dt);
+    const double lever_i = subtract_product<fused<D>>(a[R::radius], range.law.lever_cut, x);
+    const double lever_j = subtract_product<fused<D>>(b[R::radius], range.law.lever_cut, x);
+    const Axial<D> lw = add_product<fused<D>>(levered_spin<D>(b, lever_j), lever_i, spin_of<D>(a));
+    const auto f = touch<D, law, friction, fused<D>>(range.law, n, x, p.mbar[k], v, lw, spring, p.dt);
     p.tally->damped[slot] += f.damped;
     p.tally->rubbed[slot] += f.rubbed;
-    p.tally->virial[slot] += f.normal * r;
+    p.tally->virial[slot] = add_product<fused<D>>(p.tally->virial[slot], f.normal, r);
     p.tally->deepest[slot] = larger(p.tally->deepest[slot], x);
 
     double* fi = p.forces + p.i[k] * R::force_stride;
@@ -54,7 +55,8 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
       fj[0] -= fx, fj[1] -= fy, fj[2] += lever_j * f.tangential;
       if constexpr (friction) stored[0] = spring;
     } else {
-      const Vec<3> total = (-f.normal) * n + f.tangential, twist = cross(n, f.tangential);
+      const Vec<3> total = subtract_product<fused<D>>(f.tangential, f.normal, n),
+                   twist = cross<fused<D>>(n, f.tangential);
       for (int c = 0; c < 3; ++c) {
         fi[c] += total[c];
         fi[4 + c] += lever_i * twist[c];

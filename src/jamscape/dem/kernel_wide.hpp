@@ -5,6 +5,8 @@
 // go through eight at a time. Included by one file per vector width.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <new>
 
 #include "jamscape/dem/integrate_body.hpp"
@@ -17,11 +19,28 @@ inline constexpr std::size_t width = static_cast<std::size_t>(Lanes::width), par
 
 /// Where `width` pairs have their data.
 struct PairPointers {
-  const std::uint32_t *i, *j;  ///< bodies, or where their rows begin (in doubles): see `distances`
+  const std::uint32_t *i, *j;  ///< bodies, or their starts: see `distances`
   const std::uint32_t* shift;
   const double* mbar;
   double* springs;  ///< components `block` apart
 };
+
+/// Where the forces of a body begin, in bytes; its row begins at twice that. The processor doubles and adds as it
+/// reads.
+template <int D>
+inline constexpr std::uint32_t start_step = Row<D>::force_stride * sizeof(double);
+static_assert(Row<2>::stride == 2 * Row<2>::force_stride && Row<3>::stride == 2 * Row<3>::force_stride);
+
+JAM_INLINE double* forces_at(const PairArrays& p, std::uint32_t start) {
+  return reinterpret_cast<double*>(reinterpret_cast<std::byte*>(p.forces) + start);
+}
+JAM_INLINE const double* row_at(const PairArrays& p, std::uint32_t start) {
+  return reinterpret_cast<const double*>(reinterpret_cast<const std::byte*>(p.rows) + 2 * std::size_t{start});
+}
+/// Four doubles of the rows of bodies, `offset` from where they begin.
+JAM_INLINE Turned load_pieces(const PairArrays& p, const std::uint32_t* starts, std::size_t offset) {
+  return load_turned([&](std::size_t l) { return row_at(p, starts[l]) + offset; });
+}
 
 /// The tally in registers: slot q holds lanes q * width ...
 struct WideTally {
@@ -81,37 +100,36 @@ struct Touch {
   Mask touching;
 };
 
-/// `unit`: what i and j of `at` count by, in doubles: the stride of rows, or 1.
-template <int D, bool shifted, std::size_t unit>
+/// `started`: i and j of `at` are starts, not bodies.
+template <int D, bool shifted, bool started>
 JAM_INLINE void distances(const PairArrays& p, const PairPointers& at, Geometry<D>& g) {
-  const Turned a = load_turned(p.rows, at.i, unit), b = load_turned(p.rows, at.j, unit);
+  Turned a, b;
+  if constexpr (started)
+    a = load_pieces(p, at.i, 0), b = load_pieces(p, at.j, 0);
+  else
+    a = load_turned(p.rows, at.i, Row<D>::stride), b = load_turned(p.rows, at.j, Row<D>::stride);
+  if constexpr (shifted) b = b + load_turned(p.shifts, at.shift, 4);
   const Columns ca = columns(a), cb = columns(b);
   if constexpr (D == 2) {
-    Columns s;
-    if constexpr (shifted) s = load_rows(p.shifts, at.shift, 4);
-    for (int e = 0; e < D; ++e) g.d[e] = (shifted ? cb.c[e] + s.c[e] : cb.c[e]) - ca.c[e];
+    for (int e = 0; e < D; ++e) g.d[e] = cb.c[e] - ca.c[e];
   } else {  // subtracted before they are turned
-    Columns d;
-    if constexpr (shifted)
-      d = columns((b + load_turned(p.shifts, at.shift, 4)) - a);
-    else
-      d = columns(b - a);
+    const Columns d = columns(b - a);
     for (int e = 0; e < D; ++e) g.d[e] = d.c[e];
   }
   g.radius_i = ca.c[3], g.radius_j = cb.c[3];
   g.reach = g.radius_i + g.radius_j;
-  g.r2 = dot(g.d, g.d);
+  g.r2 = dot<fused<D>>(g.d, g.d);
   g.r = square_root(g.r2);
   g.touching = g.r2 < g.reach * g.reach;
 }
-template <int D, bool shifted, std::size_t unit>
+template <int D, bool shifted, bool started>
 JAM_INLINE Geometry<D> distances(const PairArrays& p, const PairPointers& at) {
   Geometry<D> g;
-  distances<D, shifted, unit>(p, at, g);
+  distances<D, shifted, started>(p, at, g);
   return g;
 }
 
-/// i and j of `at`: where the rows begin.
+/// i and j of `at` are starts.
 template <int D, bool friction>
 JAM_INLINE void to_touch(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at, const Geometry<D>& g,
                          Touch<D>& t) {
@@ -119,18 +137,19 @@ JAM_INLINE void to_touch(const PairArrays& p, const PairLaw<Lanes>& c, const Pai
   t.r = g.r;
   t.n = (Lanes(1.0) / t.r) * g.d;
   t.x = g.reach - t.r;
-  t.lever_i = g.radius_i - c.lever_cut * t.x, t.lever_j = g.radius_j - c.lever_cut * t.x;
+  t.lever_i = subtract_product<fused<D>>(g.radius_i, c.lever_cut, t.x);
+  t.lever_j = subtract_product<fused<D>>(g.radius_j, c.lever_cut, t.x);
   t.touching = g.touching;
   if constexpr (D == 2) {
-    const Columns va = load_rows(p.rows + R::velocity, at.i, 1), vb = load_rows(p.rows + R::velocity, at.j, 1);
+    const Columns va = columns(load_pieces(p, at.i, R::velocity)), vb = columns(load_pieces(p, at.j, R::velocity));
     for (int e = 0; e < 2; ++e) t.v[e] = va.c[e] - vb.c[e];
     if constexpr (friction) t.lw = t.lever_i * va.c[2] + t.lever_j * vb.c[2];
   } else {
-    const Columns v = columns(load_turned(p.rows + R::velocity, at.i, 1) - load_turned(p.rows + R::velocity, at.j, 1));
+    const Columns v = columns(load_pieces(p, at.i, R::velocity) - load_pieces(p, at.j, R::velocity));
     for (int e = 0; e < 3; ++e) t.v[e] = v.c[e];
     if constexpr (friction) {
-      const Columns wa = load_rows(p.rows + R::spin, at.i, 1), wb = load_rows(p.rows + R::spin, at.j, 1);
-      for (int e = 0; e < 3; ++e) t.lw[e] = t.lever_i * wa.c[e] + t.lever_j * wb.c[e];
+      const Columns wa = columns(load_pieces(p, at.i, R::spin)), wb = columns(load_pieces(p, at.j, R::spin));
+      for (int e = 0; e < 3; ++e) t.lw[e] = add_product<fused<D>>(t.lever_j * wb.c[e], t.lever_i, wa.c[e]);
     }
   }
 }
@@ -164,14 +183,13 @@ JAM_INLINE void erase_parted(const PairLaw<Lanes>& c, Mask touching, double* sto
 
 template <int D, bool friction>
 JAM_INLINE void add_push(const PairArrays& p, const PairPointers& at, const Push<D>& f) {
-  static_assert(Row<D>::stride == 2 * Row<D>::force_stride);
   const Lanes zero(0.0);
   if constexpr (D == 2) {
     const Rows on_i = to_rows({{f.force[0], f.force[1], friction ? f.turn_i : zero, zero}}),
                off_j = to_rows({{f.force[0], f.force[1], friction ? f.back_j : zero, zero}});
     for (std::size_t l = 0; l < width; ++l) {
-      add_to(p.forces + at.i[l] / 2, on_i.row[l]);
-      subtract_from(p.forces + at.j[l] / 2, off_j.row[l]);
+      add_to(forces_at(p, at.i[l]), on_i.row[l]);
+      subtract_from(forces_at(p, at.j[l]), off_j.row[l]);
     }
   } else {
     // force and torque of a body side by side: one sum of eight doubles
@@ -182,8 +200,8 @@ JAM_INLINE void add_push(const PairArrays& p, const PairPointers& at, const Push
       back_j = turned({{f.back_j[0], f.back_j[1], f.back_j[2], zero}});
     }
     for (std::size_t l = 0; l < width; ++l) {
-      add_two_to(p.forces + at.i[l] / 2, force, turn_i, l);
-      subtract_two_from(p.forces + at.j[l] / 2, force, back_j, l);
+      add_two_to(forces_at(p, at.i[l]), force, turn_i, l);
+      subtract_two_from(forces_at(p, at.j[l]), force, back_j, l);
     }
   }
 }
@@ -194,9 +212,9 @@ JAM_INLINE void push_of(const PairArrays& p, const PairLaw<Lanes>& c, const Pair
                         WideTally& tally, std::size_t q, Push<D>& push) {
   Axial<D, Lanes> spring{};
   if constexpr (friction) spring = load_springs<D>(at.springs);
-  const auto f = touch<D, law, friction>(c, t.n, t.x, Lanes::load(at.mbar), t.v, t.lw, spring, Lanes(p.dt));
+  const auto f = touch<D, law, friction, fused<D>>(c, t.n, t.x, Lanes::load(at.mbar), t.v, t.lw, spring, Lanes(p.dt));
   tally.damped[q] = tally.damped[q] + select_or_zero(t.touching, f.damped);
-  tally.virial[q] = tally.virial[q] + select_or_zero(t.touching, f.normal * t.r);
+  tally.virial[q] = select(t.touching, add_product<fused<D>>(tally.virial[q], f.normal, t.r), tally.virial[q]);
   tally.deepest[q] = larger(tally.deepest[q], t.x);
   if constexpr (friction) {
     tally.rubbed[q] = tally.rubbed[q] + select_or_zero(t.touching, f.rubbed);
@@ -209,15 +227,15 @@ JAM_INLINE void push_of(const PairArrays& p, const PairLaw<Lanes>& c, const Pair
   if constexpr (!friction) {
     for (int e = 0; e < D; ++e) push.force[e] = select_or_zero(t.touching, -(f.normal * t.n[e]));
   } else if constexpr (D == 2) {
-    push.force[0] = select_or_zero(t.touching, -(f.normal * t.n[0]) - f.tangential * t.n[1]);
+    push.force[0] = select_or_zero(t.touching, -f.normal * t.n[0] - f.tangential * t.n[1]);
     push.force[1] = select_or_zero(t.touching, f.tangential * t.n[0] - f.normal * t.n[1]);
     const Lanes along = select_or_zero(t.touching, f.tangential);
     push.turn_i = t.lever_i * along, push.back_j = -t.lever_j * along;
   } else {
-    const Vec<3, Lanes> twist = cross(t.n, f.tangential);
+    const Vec<3, Lanes> twist = cross<fused<D>>(t.n, f.tangential);
     const Lanes back = -t.lever_j;
     for (int e = 0; e < 3; ++e) {
-      push.force[e] = select_or_zero(t.touching, f.tangential[e] - f.normal * t.n[e]);
+      push.force[e] = select_or_zero(t.touching, subtract_product<fused<D>>(f.tangential[e], f.normal, t.n[e]));
       const Lanes turn = select_or_zero(t.touching, twist[e]);
       push.turn_i[e] = t.lever_i * turn, push.back_j[e] = back * turn;
     }
@@ -230,13 +248,12 @@ struct alignas(64) Collected {
   static constexpr std::size_t components = axes<D>;
   double springs[components * block], mbar[block];
   double* home[block];               ///< of the springs
-  std::uint32_t i[block], j[block];  ///< where the rows begin
+  std::uint32_t i[block], j[block];  ///< starts
   std::uint32_t shift[block];
   std::size_t first = 0, count = 0;
 
   JAM_INLINE void add(const PairArrays& p, std::size_t k, double* stored) {
-    constexpr auto stride = static_cast<std::uint32_t>(Row<D>::stride);
-    i[count] = p.i[k] * stride, j[count] = p.j[k] * stride, mbar[count] = p.mbar[k], home[count] = stored;
+    i[count] = p.i[k] * start_step<D>, j[count] = p.j[k] * start_step<D>, mbar[count] = p.mbar[k], home[count] = stored;
     if (p.shift) shift[count] = p.shift[k];
     for (std::size_t e = 0; e < components; ++e) springs[e * block + count] = stored[e * block];
     ++count;
@@ -260,7 +277,7 @@ void flush(const PairArrays& p, const PairLaw<Lanes>& c, Collected<D>& pending, 
     const PairPointers at{pending.i + q * width, pending.j + q * width, pending.shift + q * width,
                           pending.mbar + q * width, pending.springs + q * width};
     Touch<D> t;
-    to_touch<D, friction>(p, c, at, distances<D, shifted, 1>(p, at), t);
+    to_touch<D, friction>(p, c, at, distances<D, shifted, true>(p, at), t);
     t.touching = lanes_of(static_cast<std::uint8_t>(bits));
     Push<D> push;
     push_of<D, law, friction>(p, c, at, t, tally, q, push);
@@ -289,7 +306,7 @@ struct Underway {
   Geometry<D> geometry;
   Touch<D> touch;
   Push<D> push;
-  alignas(64) std::uint32_t i[block], j[block];  ///< where the rows begin
+  alignas(64) std::uint32_t i[block], j[block];  ///< starts
   bool any;
 };
 
@@ -307,10 +324,9 @@ JAM_INLINE void fetch_ahead(const PairArrays& p, const std::uint32_t* bodies) {
 }
 
 template <int D>
-JAM_INLINE void row_starts(const std::uint32_t* bodies, std::uint32_t* starts) {
-  static_assert(Row<D>::stride == (D == 2 ? 8 : 16));
+JAM_INLINE void to_starts(const std::uint32_t* bodies, std::uint32_t* starts) {
   constexpr hn::CappedTag<std::uint32_t, width> d;
-  hn::Store(hn::ShiftLeft<(D == 2 ? 3 : 4)>(hn::Load(d, bodies)), d, starts);
+  hn::Store(hn::ShiftLeft<std::countr_zero(start_step<D>)>(hn::Load(d, bodies)), d, starts);
 }
 
 /// Stages: distances, relative motion, law, sums. In two dimensions the first two are one, which is faster there: less
@@ -334,10 +350,10 @@ void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<
     if (out_of_cache && k + ahead * width < end) fetch_ahead<D>(p, p.j + k + ahead * width);
     if (k < end) {
       Underway<D>& u = slot(k);
-      row_starts<D>(p.i + k, u.i);
-      row_starts<D>(p.j + k, u.j);
       const PairPointers at{p.i + k, p.j + k, shifted ? p.shift + k : nullptr, nullptr, nullptr};
-      distances<D, shifted, Row<D>::stride>(p, at, u.geometry);
+      distances<D, shifted, false>(p, at, u.geometry);  // does not wait for the starts
+      to_starts<D>(p.i + k, u.i);
+      to_starts<D>(p.j + k, u.j);
       const std::uint32_t bits = lane_bits(u.geometry.touching);
       u.any = bits != 0;
       if constexpr (D == 2) to_touch<D, friction>(p, c, where(k), u.geometry, u.touch);
@@ -382,7 +398,7 @@ void sparse_loop(const PairArrays& p, const PairRange& range, const PairLaw<Lane
     std::uint32_t touching = 0;
     for (std::size_t l = 0; l < block; l += width) {
       const PairPointers at{w.i + q + l, w.j + q + l, shifted ? w.shift + q + l : nullptr, nullptr, nullptr};
-      touching |= lane_bits(distances<D, shifted, Row<D>::stride>(p, at).touching) << l;
+      touching |= lane_bits(distances<D, shifted, false>(p, at).touching) << l;
     }
     const std::uint32_t parted = w.touching[q / block] & ~touching;
     if (!(touching | parted)) continue;
@@ -417,7 +433,7 @@ std::size_t watch_range(const PairArrays& p, const PairRange& range, double marg
   std::size_t to = range.begin;
   for (std::size_t k = range.begin; k < range.end; k += width) {
     const PairPointers at = pointers<D, shifted>(p, k);
-    const Geometry<D> g = distances<D, shifted, Row<D>::stride>(p, at);
+    const Geometry<D> g = distances<D, shifted, false>(p, at);
     const Lanes far = g.reach + Lanes(margin);
     const std::uint32_t held = sprung<D>(at.springs);
     for (std::uint32_t bits = lane_bits(g.r2 < far * far) | held; bits; bits &= bits - 1) {

@@ -32,8 +32,8 @@ Vec<D> append_forces(Contacts& out, ElasticEnergy& energy, const PairLaw<>& law,
   Axial<D> spring = t.spring;
   const auto f = with_law(kind, [&]<NormalLaw normal>() {
     energy.add<normal>(law, t.x, spring);
-    return law.mu > 0 ? touch<D, normal, true>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0)
-                      : touch<D, normal, false>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0);
+    return law.mu > 0 ? touch<D, normal, true, fused<D>>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0)
+                      : touch<D, normal, false, fused<D>>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0);
   });
   Vec<D> tangential;
   if constexpr (D == 2)
@@ -138,7 +138,7 @@ Packing Engine<D>::record() const {
       const auto u = static_cast<std::size_t>(e);
       d[e] = (bead ? b[u] : b[u] + shifts_[4 * pairs_.shift[k] + u]) - a[u];
     }
-    const double r2 = dot(d, d), reach = a[R::radius] + b[R::radius];
+    const double r2 = dot<fused<D>>(d, d), reach = a[R::radius] + b[R::radius];
     if (!(r2 < reach * reach)) continue;
     const PairLaw<>& law = bead ? wall_law_ : grain_law_;
     const double r = std::sqrt(r2);

@@ -1,4 +1,4 @@
-// The surface velocity a body's spin brings to a contact.
+// The spin of a body, and the surface velocity it brings to a contact.
 #pragma once
 
 #include "jamscape/contact/law.hpp"
@@ -6,13 +6,17 @@
 
 namespace jam {
 
-/// lever * angular velocity, of the body whose row this is.
+/// Of the body whose row this is.
+template <int D>
+Axial<D> spin_of(const double* row) {
+  if constexpr (D == 2)
+    return row[Row<D>::spin];
+  else
+    return {row[Row<D>::spin], row[Row<D>::spin + 1], row[Row<D>::spin + 2]};
+}
 template <int D>
 Axial<D> levered_spin(const double* row, double lever) {
-  if constexpr (D == 2)
-    return lever * row[Row<D>::spin];
-  else
-    return {lever * row[Row<D>::spin], lever * row[Row<D>::spin + 1], lever * row[Row<D>::spin + 2]};
+  return lever * spin_of<D>(row);
 }
 
 }  // namespace jam

@@ -1,6 +1,6 @@
 // Several doubles side by side, computed with at once: the scalar type of the vectorised kernels (Highway underneath).
 // Only for files compiled for one vector width (kernel_avx2.cpp, kernel_avx512.cpp); each width has its own namespace.
-// Element-wise exact operations alone, hence the same bits as the same formula in double.
+// Element-wise, correctly rounded operations alone, hence the same bits as the same formula in double.
 #pragma once
 
 #include <hwy/highway.h>
@@ -52,9 +52,12 @@ JAM_INLINE Lanes operator/(Lanes a, Lanes b) { return hn::Div(a.v, b.v); }
 JAM_INLINE Mask operator<(Lanes a, Lanes b) { return {hn::Lt(a.v, b.v)}; }
 JAM_INLINE Mask operator>(Lanes a, Lanes b) { return {hn::Gt(a.v, b.v)}; }
 JAM_INLINE Lanes square_root(Lanes a) { return hn::Sqrt(a.v); }
+JAM_INLINE Lanes add_product_once(Lanes c, Lanes a, Lanes b) { return hn::MulAdd(a.v, b.v, c.v); }
+JAM_INLINE Lanes subtract_product_once(Lanes c, Lanes a, Lanes b) { return hn::NegMulAdd(a.v, b.v, c.v); }
 JAM_INLINE Lanes magnitude(Lanes a) { return hn::Abs(a.v); }
-JAM_INLINE Lanes smaller(Lanes a, Lanes b) { return hn::IfThenElse(hn::Lt(a.v, b.v), a.v, b.v); }
-JAM_INLINE Lanes larger(Lanes a, Lanes b) { return hn::IfThenElse(hn::Gt(a.v, b.v), a.v, b.v); }
+/// One instruction each, which does what a < b ? a : b does, of NaN and of zeros too.
+JAM_INLINE Lanes smaller(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
+JAM_INLINE Lanes larger(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
 JAM_INLINE Lanes select(Mask condition, Lanes a, Lanes b) { return hn::IfThenElse(condition.m, a.v, b.v); }
 JAM_INLINE Lanes select_or_zero(Mask condition, Lanes a) { return hn::IfThenElseZero(condition.m, a.v); }
 
@@ -81,19 +84,24 @@ JAM_INLINE Turned operator-(const Turned& a) {
   return {{hn::Neg(a.part[0]), hn::Neg(a.part[1]), hn::Neg(a.part[2]), hn::Neg(a.part[3])}};
 }
 
-/// The rows base[index[l] * stride ...+3] of all lanes l. Whole rows come with one load each, which beats gathering
+/// The rows of all lanes: row(l) points to the one of lane l. Whole rows come with one load each, which beats gathering
 /// element by element.
-template <class T = Tag>
-JAM_INLINE TurnedRows<T> load_turned(const double* base, const std::uint32_t* index, std::size_t stride) {
+template <class T = Tag, class Row>
+JAM_INLINE TurnedRows<T> load_turned(const Row& row) {
   TurnedRows<T> rows;
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto lower = hn::Load(Tag4(), base + index[k] * stride);
+    const auto lower = hn::Load(Tag4(), row(k));
     if constexpr (hn::MaxLanes(T()) == 8)
-      rows.part[k] = hn::Combine(T(), hn::Load(Tag4(), base + index[k + 4] * stride), lower);
+      rows.part[k] = hn::Combine(T(), hn::Load(Tag4(), row(k + 4)), lower);
     else
       rows.part[k] = lower;
   }
   return rows;
+}
+/// The rows base[index[l] * stride ...+3].
+template <class T = Tag>
+JAM_INLINE TurnedRows<T> load_turned(const double* base, const std::uint32_t* index, std::size_t stride) {
+  return load_turned<T>([&](std::size_t l) { return base + index[l] * stride; });
 }
 
 /// In each group of four: the first two of a and of b.

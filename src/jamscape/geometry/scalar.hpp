@@ -13,6 +13,9 @@ JAM_INLINE double square_root(double a) { return __builtin_sqrt(a); }
 JAM_INLINE double magnitude(double a) { return __builtin_fabs(a); }
 JAM_INLINE double smaller(double a, double b) { return a < b ? a : b; }
 JAM_INLINE double larger(double a, double b) { return a > b ? a : b; }
+/// c + a b and c - a b, rounded once. Without such an instruction, a library call: exact, but slow.
+JAM_INLINE double add_product_once(double c, double a, double b) { return __builtin_fma(a, b, c); }
+JAM_INLINE double subtract_product_once(double c, double a, double b) { return __builtin_fma(-a, b, c); }
 /// Whether a condition holds for any of the numbers side by side.
 JAM_INLINE bool any(bool condition) { return condition; }
 /// a where the condition holds, else b.

@@ -41,16 +41,57 @@ JAM_INLINE constexpr Vec<D, T>& operator-=(Vec<D, T>& a, const Vec<D, T>& b) {
   return a = a - b;
 }
 
-template <int D, class T>
+// Products that are added: `fused` rounds once after both (fewer instructions), otherwise after each.
+
+/// c + a b and c - a b.
+template <bool fused, class T>
+JAM_INLINE constexpr T add_product(const T& c, const T& a, const T& b) {
+  if constexpr (fused)
+    return add_product_once(c, a, b);
+  else
+    return c + a * b;
+}
+template <bool fused, class T>
+JAM_INLINE constexpr T subtract_product(const T& c, const T& a, const T& b) {
+  if constexpr (fused)
+    return subtract_product_once(c, a, b);
+  else
+    return c - a * b;
+}
+/// u + s a and u - s a.
+template <bool fused, int D, class T>
+JAM_INLINE constexpr Vec<D, T> add_product(Vec<D, T> u, const T& s, const Vec<D, T>& a) {
+  for (int k = 0; k < D; ++k) u[k] = add_product<fused>(u[k], s, a[k]);
+  return u;
+}
+template <bool fused, int D, class T>
+JAM_INLINE constexpr Vec<D, T> subtract_product(Vec<D, T> u, const T& s, const Vec<D, T>& a) {
+  for (int k = 0; k < D; ++k) u[k] = subtract_product<fused>(u[k], s, a[k]);
+  return u;
+}
+
+template <bool fused = false, int D, class T>
 JAM_INLINE constexpr T dot(const Vec<D, T>& a, const Vec<D, T>& b) {
   T s = a[0] * b[0];
-  for (int k = 1; k < D; ++k) s = s + a[k] * b[k];
+  for (int k = 1; k < D; ++k) s = add_product<fused>(s, a[k], b[k]);
   return s;
 }
 
-template <class T>
+template <bool fused = false, class T>
 JAM_INLINE constexpr Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return {subtract_product<fused>(a[1] * b[2], a[2], b[1]), subtract_product<fused>(a[2] * b[0], a[0], b[2]),
+          subtract_product<fused>(a[0] * b[1], a[1], b[0])};
+}
+/// u + a x b.
+template <bool fused, class T>
+JAM_INLINE constexpr Vec<3, T> add_cross(const Vec<3, T>& u, const Vec<3, T>& a, const Vec<3, T>& b) {
+  if constexpr (!fused) return u + cross(a, b);
+  Vec<3, T> sum;
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    sum[k] = subtract_product<fused>(add_product<fused>(u[k], a[l], b[m]), a[m], b[l]);
+  }
+  return sum;
 }
 
 template <int D>

@@ -211,8 +211,9 @@ class Run {
 
 int physics_revision(const SystemOptions& system) {
   if (is_container(system.domain.walls)) return 3;
+  if (system.domain.dimension == 3) return 5;
   if (system.grains.count >= static_cast<std::int64_t>(Parts::least_grains)) return 4;
-  return !hertzian(system.contact.law) && system.domain.dimension == 2 ? 1 : 2;
+  return hertzian(system.contact.law) ? 2 : 1;
 }
 
 Outcome simulate(const SystemOptions& system, const TaskKey& key, const Hooks& hooks, const Archive* from) {

@@ -14,10 +14,11 @@
 namespace jam {
 
 /// Raised whenever a change of the code changes the bits of a simulation of this kind; part of a task's hash.
-///   1   linear law, two dimensions
+///   1   discs, linear law
+///   2   discs, Hertz laws, since the Coulomb limit is compared before the factor x^(1/2)
 ///   3   clusters in a container
-///   4   discs or spheres enough for several parts (dem/parts.hpp)
-///   2   everything else, since the Coulomb limit is compared in squares and before the factor x^(1/2)
+///   4   discs enough for several parts (dem/parts.hpp)
+///   5   spheres, since sums of products are rounded once (`fused` in dem/kernel.hpp)
 int physics_revision(const SystemOptions& system);
 
 /// What names the random numbers of one simulation.

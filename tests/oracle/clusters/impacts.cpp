@@ -109,13 +109,13 @@ Impacts draw(const ClusterShape& shape, Place place, std::size_t pairs, double g
 }
 
 Motion collide(const Impacts& impacts, const Law& law, double dt, int steps) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double unclipped = -std::numeric_limits<double>::infinity();
   ClusterSetup setup;
   setup.shapes = {impacts.shape};
   setup.bodies = impacts.bodies;
   setup.kind = NormalLaw::linear;
   setup.grain_law = {law.k_n, law.gamma_n, law.k_t,   law.gamma_t, law.k_t > 0 ? 1 / law.k_t : 0,
-                     law.mu,  0,           -infinity, infinity};
+                     law.mu,  0,           unclipped, false};
   setup.dt = dt;
   ClusterEngine engine(setup);
   engine.run(steps);

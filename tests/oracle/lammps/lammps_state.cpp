@@ -24,7 +24,6 @@ PairLaw<> pair_law(const Law& law, double scale) {
   out.mu = law.mu;
   out.lever_cut = 0;
   out.floor = -std::numeric_limits<double>::infinity();
-  out.damping_limit = std::numeric_limits<double>::infinity();
   return out;
 }
 
