@@ -13,14 +13,6 @@
 
 namespace jam {
 
-/// A body as the search for pairs sees it.
-template <int D>
-struct Placed {
-  std::array<double, D> x;
-  double radius;
-  std::uint32_t body;
-};
-
 /// Cells of at least a given width, as index ranges. Throws a usage error where a periodic box is less than three cells
 /// wide.
 template <int D>
@@ -29,7 +21,10 @@ struct CellGrid {
   std::array<int, D> cells{};
   std::array<bool, D> periodic{};
   std::vector<std::uint32_t> first;
-  std::vector<Placed<D>> placed;  ///< by cell, then by index
+  /// Of the bodies, by cell, then by index; `block` more than there are can be read.
+  std::array<Aligned<double>, D> x;
+  Aligned<double> radius;
+  Aligned<std::uint32_t> body;
 
   CellGrid(const Bodies<D>& bodies, const Periodic<D>& box, double least) {
     for (int c = 0; c < D; ++c) {
@@ -57,19 +52,20 @@ struct CellGrid {
     std::vector<std::uint32_t> cell(bodies.count());
     for (std::size_t k = 0; k < bodies.count(); ++k) ++first[(cell[k] = index(coordinates(bodies.row(k)))) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
-    placed.resize(bodies.count());
+    for (auto& along : x) along.resize(bodies.count() + block);
+    radius.resize(bodies.count() + block), body.resize(bodies.count() + block);
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::size_t k = 0; k < bodies.count(); ++k) {
-      Placed<D>& p = placed[next[cell[k]]++];
-      std::copy_n(bodies.row(k), D, p.x.begin());
-      p.radius = bodies.radius(k), p.body = static_cast<std::uint32_t>(k);
+      const std::size_t at = next[cell[k]]++;
+      for (std::size_t e = 0; e < D; ++e) x[e][at] = bodies.row(k)[e];
+      radius[at] = bodies.radius(k), body[at] = static_cast<std::uint32_t>(k);
     }
   }
 
-  std::array<int, D> coordinates(const double* x) const {
+  std::array<int, D> coordinates(const double* row) const {
     std::array<int, D> at;
     for (std::size_t e = 0; e < D; ++e)
-      at[e] = std::clamp(static_cast<int>((x[e] - lo[e]) * inverse[e]), 0, cells[e] - 1);
+      at[e] = std::clamp(static_cast<int>((row[e] - lo[e]) * inverse[e]), 0, cells[e] - 1);
     return at;
   }
   std::uint32_t index(const std::array<int, D>& at) const {

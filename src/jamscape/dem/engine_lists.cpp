@@ -66,7 +66,7 @@ void Engine<D>::relist() {
   if (lists_++ % lists_per_order == 0) bodies_.reorder(spatial_order(bodies_));
   const double closing = 2 * std::sqrt(speed2) * dt_;
   skin_ = std::clamp(std::sqrt(list_cost * diameter_ * closing), thinnest_skin * diameter_, widest_skin * diameter_);
-  pairs_ = list_pairs<D>(bodies_, box_, skin_, pairs_, old_id, parts_, *team_);
+  pairs_ = list_pairs<D>(bodies_, box_, skin_, pairs_, old_id, parts_, *kernels_, *team_);
 
   plane_grain_.clear(), plane_wall_.clear(), plane_spring_.clear();
   first_plane_.assign(1, 0);

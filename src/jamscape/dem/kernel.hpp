@@ -2,6 +2,7 @@
 //
 //   pairs      reads rows, indices, reduced masses; reads and writes springs, force rows, the tally
 //   watch      finds those near pairs that may touch before long; until it is called again, `pairs` tests no others
+//   near       finds the bodies near a body, for the list of pairs
 //   integrate  reads force rows and inverse inertias; reads and writes rows (and Gear's higher derivatives); clears
 //   forces
 //
@@ -14,6 +15,7 @@
 #include <cstdint>
 
 #include "jamscape/contact/law.hpp"
+#include "jamscape/dem/near_bodies.hpp"
 #include "jamscape/dem/rows.hpp"
 
 namespace jam {
@@ -85,6 +87,10 @@ struct Kernels {
   /// Watches the pairs of a sparse range closer than reach + margin, and those that hold springs. Returns `watched`.
   std::size_t (*watch2)(const PairArrays&, const PairRange&, double margin);
   std::size_t (*watch3)(const PairArrays&, const PairRange&, double margin);
+  /// Finds the candidates after a body in memory that are nearer than the sum of radii + skin, in their order. Returns
+  /// how many.
+  std::size_t (*near2)(const NearQuery&, const NearBodies&);
+  std::size_t (*near3)(const NearQuery&, const NearBodies&);
   void (*verlet2)(BodyArrays&);
   void (*verlet3)(BodyArrays&);
   void (*gear2)(BodyArrays&);
@@ -97,6 +103,10 @@ struct Kernels {
   template <int D>
   auto watch() const {
     return D == 2 ? watch2 : watch3;
+  }
+  template <int D>
+  auto near() const {
+    return D == 2 ? near2 : near3;
   }
   template <int D>
   auto verlet() const {

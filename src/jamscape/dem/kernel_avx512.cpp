@@ -1,5 +1,6 @@
 // The passes for AVX-512; compiled with that instruction set, entered only where the processor has it.
 #include "jamscape/dem/kernel_wide.hpp"
+#include "jamscape/dem/near_wide.hpp"
 
 namespace jam {
 
@@ -11,6 +12,8 @@ const Kernels& avx512_kernels() {
                                    HWY_NAMESPACE::pairs<3>,
                                    HWY_NAMESPACE::watch<2>,
                                    HWY_NAMESPACE::watch<3>,
+                                   HWY_NAMESPACE::near<2>,
+                                   HWY_NAMESPACE::near<3>,
                                    verlet<2>,
                                    verlet<3>,
                                    gear<2>,

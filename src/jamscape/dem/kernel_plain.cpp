@@ -78,11 +78,29 @@ void pairs(const PairArrays& p, const PairRange& range) {
 /// It tests every pair anyway.
 std::size_t watch_all(const PairArrays&, const PairRange&, double) { return 0; }
 
+template <int D>
+std::size_t near(const NearQuery& s, const NearBodies& out) {
+  std::size_t n = 0;
+  for (std::size_t r = 0; r < s.range_count; ++r) {
+    const CandidateRange& range = s.ranges[r];
+    for (std::uint32_t q = range.from; q < range.to; ++q) {
+      Vec<D> d;
+      for (int e = 0; e < D; ++e)
+        d[e] = (s.x[e][q] + s.shifts[4 * range.shift + static_cast<std::size_t>(e)]) - s.row[e];
+      const double r2 = dot(d, d), reach = s.row[Row<D>::radius] + s.radius[q], far = reach + s.skin;
+      if (s.body[q] <= s.a || !(r2 < far * far)) continue;
+      out.body[n] = s.body[q] | (r2 < reach * reach ? NearBodies::touching : 0);
+      out.shift[n++] = range.shift;
+    }
+  }
+  return n;
+}
+
 }  // namespace
 
 const Kernels& plain_kernels() {
-  static const Kernels kernels{"plain",   pairs<2>,  pairs<3>, watch_all, watch_all,
-                               verlet<2>, verlet<3>, gear<2>,  gear<3>};
+  static const Kernels kernels{"plain", pairs<2>,  pairs<3>,  watch_all, watch_all, near<2>,
+                               near<3>, verlet<2>, verlet<3>, gear<2>,   gear<3>};
   return kernels;
 }
 

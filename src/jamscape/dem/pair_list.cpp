@@ -78,7 +78,8 @@ OfPart share(const Bodies<D>& bodies, PairSearch<D> search, const Parts& parts, 
     own.found[0].reserve((end - begin) * (D == 2 ? 4 : 9));
     for (std::size_t k = begin; k < end; ++k) {
       const auto a = static_cast<std::uint32_t>(k);
-      for (const FoundBody& f : search(bodies.row(k), a)) {
+      for (std::size_t n = search(bodies.row(k), a), q = 0; q < n; ++q) {
+        const FoundBody f = search[q];
         const bool across = f.shift != no_shift<D>;
         const PairKind kind = f.j >= bodies.grains ? PairKind::bead : across ? PairKind::across : PairKind::inner;
         const std::uint32_t other = parts.of(f.j);
@@ -134,14 +135,16 @@ std::vector<const Shared*> lay_out(PairList<D>& list, const std::vector<OfPart>&
 
 template <int D>
 PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double skin, const PairList<D>& old,
-                       const std::vector<std::uint32_t>& old_id, const Parts& parts, ThreadTeam& team) {
+                       const std::vector<std::uint32_t>& old_id, const Parts& parts, const Kernels& kernels,
+                       ThreadTeam& team) {
   double widest = 0;
   for (std::size_t k = 0; k < bodies.count(); ++k) widest = std::max(widest, bodies.radius(k));
   const CellGrid<D> grid(bodies, box, 2 * widest + skin);
   const Aligned<double> shifts = image_shifts<D>(box);
   std::vector<OfPart> found(parts.with_grains());
-  team.run(found.size(),
-           [&](std::size_t part) { found[part] = share<D>(bodies, PairSearch<D>(grid, shifts, skin), parts, part); });
+  team.run(found.size(), [&](std::size_t part) {
+    found[part] = share<D>(bodies, PairSearch<D>(grid, shifts, skin, kernels), parts, part);
+  });
 
   PairList<D> list;
   const std::vector<const Shared*> shared = lay_out<D>(list, found, parts);
@@ -172,8 +175,8 @@ PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double s
 }
 
 template PairList<2> list_pairs<2>(const Bodies<2>&, const Periodic<2>&, double, const PairList<2>&,
-                                   const std::vector<std::uint32_t>&, const Parts&, ThreadTeam&);
+                                   const std::vector<std::uint32_t>&, const Parts&, const Kernels&, ThreadTeam&);
 template PairList<3> list_pairs<3>(const Bodies<3>&, const Periodic<3>&, double, const PairList<3>&,
-                                   const std::vector<std::uint32_t>&, const Parts&, ThreadTeam&);
+                                   const std::vector<std::uint32_t>&, const Parts&, const Kernels&, ThreadTeam&);
 
 }  // namespace jam

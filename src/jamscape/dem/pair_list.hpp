@@ -15,6 +15,7 @@
 
 #include "jamscape/base/thread_team.hpp"
 #include "jamscape/dem/bodies.hpp"
+#include "jamscape/dem/kernel.hpp"
 #include "jamscape/dem/parts.hpp"
 #include "jamscape/dem/periodic.hpp"
 #include "jamscape/dem/rows.hpp"
@@ -65,7 +66,8 @@ struct PairList {
 /// is less than three cells wide.
 template <int D>
 PairList<D> list_pairs(const Bodies<D>& bodies, const Periodic<D>& box, double skin, const PairList<D>& old,
-                       const std::vector<std::uint32_t>& old_id, const Parts& parts, ThreadTeam& team);
+                       const std::vector<std::uint32_t>& old_id, const Parts& parts, const Kernels& kernels,
+                       ThreadTeam& team);
 
 /// The grains in spatial order (Morton order of cells of about a diameter): order[k] = present index of the k-th.
 template <int D>

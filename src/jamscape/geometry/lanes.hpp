@@ -13,6 +13,19 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<double, 8>;
 using Tag4 = hn::FixedTag<double, 4>;
 
+/// Bit l is lane l: of a mask for vectors of any type, and back.
+template <class D, class M>
+JAM_INLINE std::uint32_t bits_of_lanes(D d, M mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, mask, bits);
+  return bits[0];
+}
+template <class D>
+JAM_INLINE hn::Mask<D> lanes_of_bits(D d, std::uint32_t bits) {
+  const std::uint8_t padded[8] = {static_cast<std::uint8_t>(bits)};
+  return hn::LoadMaskBits(d, padded);
+}
+
 struct Mask {
   hn::Mask<Tag> m;
 };
@@ -20,17 +33,8 @@ JAM_INLINE bool none(Mask a) { return hn::AllFalse(Tag(), a.m); }
 JAM_INLINE bool any(Mask a) { return !none(a); }
 /// The lanes below n.
 JAM_INLINE Mask first_lanes(int n) { return {hn::FirstN(Tag(), static_cast<std::size_t>(n))}; }
-/// The lanes whose bits are set: the inverse of lane_bits.
-JAM_INLINE Mask lanes_of(std::uint8_t bits) {
-  const std::uint8_t padded[8] = {bits};
-  return {hn::LoadMaskBits(Tag(), padded)};
-}
-/// Bit l is lane l.
-JAM_INLINE std::uint32_t lane_bits(Mask a) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(Tag(), a.m, bits);
-  return bits[0];
-}
+JAM_INLINE Mask lanes_of(std::uint8_t bits) { return {lanes_of_bits(Tag(), bits)}; }
+JAM_INLINE std::uint32_t lane_bits(Mask a) { return bits_of_lanes(Tag(), a.m); }
 
 struct Lanes {
   hn::Vec<Tag> v;
@@ -41,6 +45,7 @@ struct Lanes {
   JAM_INLINE Lanes(hn::Vec<Tag> raw) : v(raw) {}
   JAM_INLINE Lanes(double a) : v(hn::Set(Tag(), a)) {}
   JAM_INLINE static Lanes load(const double* p) { return hn::Load(Tag(), p); }
+  JAM_INLINE static Lanes load_anywhere(const double* p) { return hn::LoadU(Tag(), p); }
   JAM_INLINE void store(double* p) const { hn::Store(v, Tag(), p); }
 };
 

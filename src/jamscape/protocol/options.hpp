@@ -46,7 +46,7 @@ struct GrainOptions {
 
   template <class V>
   void describe(V& v) {
-    v.option("count", count, {.text = "number of grains", .min = 1, .max = 1e8});
+    v.option("count", count, {.text = "number of grains", .min = 1, .max = 5e7});
     v.option("shape", shape,
              {.text = "ball: discs or spheres in a box that shrinks; the others are rigid clusters of spherocylinders "
                       "in a container: sphere, rod, cross (2 arms at right angles), star (3), custom (`arms`)",
