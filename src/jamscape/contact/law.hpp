@@ -145,6 +145,25 @@ JAM_INLINE T coulomb_limit(const PairLaw<T>& c, T x, T bare) {
     return c.mu * magnitude(bare);
 }
 
+/// Whether a tangential force is larger than `cap`, and what is left of it then.
+template <bool fused, class T>
+JAM_INLINE auto exceeds(const T& force, const T& cap) {
+  return magnitude(force) > cap;
+}
+template <bool fused, class T>
+JAM_INLINE auto exceeds(const Vec<3, T>& force, const T& cap) {
+  return dot<fused>(force, force) > cap * cap;
+}
+template <bool fused, class T>
+JAM_INLINE T cut(const T& force, const T& cap) {
+  return larger(smaller(force, cap), -cap);
+}
+template <bool fused, class T>
+JAM_INLINE Vec<3, T> cut(const Vec<3, T>& force, const T& cap) {
+  const T size2 = dot<fused>(force, force);
+  return select(size2 > cap * cap, cap / square_root(size2), T(1.0)) * force;
+}
+
 /// Forces of a contact; `spring` is advanced by v_t dt and reset at the Coulomb limit.
 /// `lw` = l_i w_i + l_j w_j. `fused` (three dimensions): products that are added are rounded once (geometry/vec.hpp).
 /// What only sliding needs is left out where nothing slides.
@@ -171,57 +190,36 @@ JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, 
     const T cap = coulomb_limit<law>(c, x, bare), damping = -c.gamma_t * mbar;
     out.limit = cap;
     if constexpr (shaped) out.limit = s * cap;
+    Axial<D, T> v_t, trial;
     if constexpr (D == 2) {
-      const T v_t = n[0] * v[1] - n[1] * v[0] + lw;
-      const T trial = spring + v_t * dt, dashpot = damping * v_t;
-      T force = dashpot - c.k_t * trial, dash_power = dashpot * v_t;
-      const auto slides = magnitude(force) > cap;
-      spring = trial;
-      if (any(slides)) {
-        force = larger(smaller(force, cap), -cap);
-        spring = select(slides, (dashpot - force) * c.inverse_k_t, trial);
-        if constexpr (!shaped) {
-          const T lost = T(0.5) * c.k_t * (trial * trial - spring * spring);
-          out.rubbed = select(slides, lost - dash_power * dt, T(0.0));
-          dash_power = select(slides, T(0.0), dash_power);
-        }
-      }
-      if constexpr (shaped) {
-        force = s * force;
-        out.rubbed = (force * v_t) * -dt;
-      } else {
-        out.damped = out.damped - dash_power;
-      }
-      out.tangential = force;
+      v_t = n[0] * v[1] - n[1] * v[0] + lw;
+      trial = spring + v_t * dt;
     } else {
-      const Vec<3, T> v_t = add_cross<fused>(subtract_product<fused>(v, approach, n), lw, n);
-      Vec<3, T> trial = add_product<fused>(spring, dt, v_t);
+      v_t = add_cross<fused>(subtract_product<fused>(v, approach, n), lw, n);
+      trial = add_product<fused>(spring, dt, v_t);
       trial = subtract_product<fused>(trial, dot<fused>(n, trial), n);
-      const Vec<3, T> dashpot = damping * v_t;
-      Vec<3, T> force = subtract_product<fused>(dashpot, c.k_t, trial);
-      spring = trial;
-      const T size2 = dot<fused>(force, force);
-      const auto slides = size2 > cap * cap;
-      T dash_power = T(0.0);
-      if constexpr (!shaped) dash_power = dot<fused>(dashpot, v_t);
-      if (any(slides)) {
-        force = select(slides, cap / square_root(size2), T(1.0)) * force;
-        const Vec<3, T> reset = c.inverse_k_t * (dashpot - force);
-        for (int k = 0; k < 3; ++k) spring[k] = select(slides, reset[k], trial[k]);
-        if constexpr (!shaped) {
-          const T lost = T(0.5) * c.k_t * (dot<fused>(trial, trial) - dot<fused>(spring, spring));
-          out.rubbed = select(slides, lost - dash_power * dt, T(0.0));
-          dash_power = select(slides, T(0.0), dash_power);
-        }
-      }
-      if constexpr (shaped) {
-        force = s * force;
-        out.rubbed = dot<fused>(force, v_t) * -dt;
-      } else {
-        out.damped = out.damped - dash_power;
-      }
-      out.tangential = force;
     }
+    const Axial<D, T> dashpot = damping * v_t;
+    Axial<D, T> force = subtract_product<fused>(dashpot, c.k_t, trial);
+    T dash_power = dot<fused>(dashpot, v_t);
+    const auto slides = exceeds<fused>(force, cap);
+    spring = trial;
+    if (any(slides)) {
+      force = cut<fused>(force, cap);
+      spring = select(slides, c.inverse_k_t * (dashpot - force), trial);
+      if constexpr (!shaped) {
+        const T lost = T(0.5) * c.k_t * (dot<fused>(trial, trial) - dot<fused>(spring, spring));
+        out.rubbed = select(slides, lost - dash_power * dt, T(0.0));
+        dash_power = select(slides, T(0.0), dash_power);
+      }
+    }
+    if constexpr (shaped) {
+      force = s * force;
+      out.rubbed = dot<fused>(force, v_t) * -dt;
+    } else {
+      out.damped = out.damped - dash_power;
+    }
+    out.tangential = force;
     return out;
   }
 }

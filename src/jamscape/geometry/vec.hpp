@@ -70,6 +70,11 @@ JAM_INLINE constexpr Vec<D, T> subtract_product(Vec<D, T> u, const T& s, const V
   return u;
 }
 
+/// Of numbers, their product.
+template <bool fused = false, class T>
+JAM_INLINE constexpr T dot(const T& a, const T& b) {
+  return a * b;
+}
 template <bool fused = false, int D, class T>
 JAM_INLINE constexpr T dot(const Vec<D, T>& a, const Vec<D, T>& b) {
   T s = a[0] * b[0];
@@ -92,6 +97,14 @@ JAM_INLINE constexpr Vec<3, T> add_cross(const Vec<3, T>& u, const Vec<3, T>& a,
     sum[k] = subtract_product<fused>(add_product<fused>(u[k], a[l], b[m]), a[m], b[l]);
   }
   return sum;
+}
+
+/// Component by component.
+template <int D, class T, class Condition>
+JAM_INLINE Vec<D, T> select(Condition condition, const Vec<D, T>& a, const Vec<D, T>& b) {
+  Vec<D, T> c;
+  for (int k = 0; k < D; ++k) c[k] = select(condition, a[k], b[k]);
+  return c;
 }
 
 template <int D>
