@@ -4,7 +4,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 
 #include "jamscape/base/random.hpp"
 #include "jamscape/dem/cluster_engine.hpp"
@@ -37,7 +36,7 @@ ClusterSetup falling_stars() {
   }
   s.walls.push_back({.axis = 2, .high = false, .position = 0});
   s.gravity = {0, 0, -2e-4};
-  s.grain_law = {1, 0.4, 0.5, 0.4 * 0.7071, 2, 0.5, 0.5, 0, std::numeric_limits<double>::infinity()};
+  s.grain_law = {1, 0.4, 0.5, 0.4 * 0.7071, 2, 0.5, 0.5, 0, false};
   s.wall_law = s.grain_law;
   s.wall_law.mu = 0;
   s.dt = 0.05;

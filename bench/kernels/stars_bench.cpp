@@ -37,7 +37,7 @@ constexpr std::size_t floor_wall = 4;
 
 /// The walls have no friction.
 ClusterSetup falling_stars() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double unclipped = -std::numeric_limits<double>::infinity();
   ClusterSetup s;
   s.shapes = {star_shape(aspect)};
   s.density = 1 / s.shapes[0].volume;
@@ -60,7 +60,7 @@ ClusterSetup falling_stars() {
   s.walls.push_back({.axis = 2, .high = false, .position = 0});
   s.gravity = {0, 0, -gravity};
   s.kind = NormalLaw::linear;
-  s.grain_law = {1, gamma_n, k_t, gamma_t, 1 / k_t, mu, 0, -infinity, infinity};
+  s.grain_law = {1, gamma_n, k_t, gamma_t, 1 / k_t, mu, 0, unclipped, false};
   s.wall_law = s.grain_law;
   s.wall_law.mu = 0;
   s.dt = dt;
