@@ -158,9 +158,9 @@ export const transitions: Section = {
     const out: HTMLElement[] = [];
     const rows = transitions?.rows ?? [];
     const main = rows.some((r) => r.quantity === "rho_j") ? "rho_j" : "rho_c";
-    // Where Z(rho) has an inflection of its own, readings of Z = 3 say nothing.
+    // Where Z(rho) has an inflection of its own, readings of Z = 3 say nothing. What is not named is no transition.
     const quantities = [...new Set(rows.map((r) => r.quantity))].filter(
-      (q) => main === "rho_c" || !(q.startsWith("rho_c") || q === "rho_inflection"),
+      (q) => q in VARIANTS && (main === "rho_c" || !(q.startsWith("rho_c") || q === "rho_inflection")),
     );
     quantities.sort((a, b) => Number(b === main) - Number(a === main));
     const published = new Map(score?.published.map((p) => [p.system, plain(p.value)]));
@@ -171,7 +171,7 @@ export const transitions: Section = {
         "system",
         "runs",
         ...(published.size ? [`published ${jammingSymbol(context.data)}`] : []),
-        ...quantities.map((q) => VARIANTS[q] ?? escape(q)),
+        ...quantities.map((q) => VARIANTS[q]),
       ];
       const body = context.data.study.systems.map((_, k) => [
         label(context, k),
