@@ -165,8 +165,9 @@ JAM_INLINE Vec<3, T> cut(const Vec<3, T>& force, const T& cap) {
 }
 
 /// Forces of a contact; `spring` is advanced by v_t dt and reset at the Coulomb limit.
-/// `lw` = l_i w_i + l_j w_j. `fused` (three dimensions): products that are added are rounded once (geometry/vec.hpp).
-/// What only sliding needs is left out where nothing slides.
+/// `lw` = l_i w_i + l_j w_j. Inside, forces are those on i: `dashpot` is -gamma_t mbar v_t, `dash_power` <= 0. `fused`
+/// (three dimensions): products that are added are rounded once (geometry/vec.hpp). What only sliding needs is left out
+/// where nothing slides.
 template <int D, NormalLaw law, bool friction, bool fused = false, class T>
 JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, T pair_mass, const Vec<D, T>& v,
                                   const Axial<D, T>& lw, Axial<D, T>& spring, T dt) {

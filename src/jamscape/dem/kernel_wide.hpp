@@ -26,7 +26,7 @@ struct PairPointers {
 };
 
 /// Where the forces of a body begin, in bytes; its row begins at twice that. The processor doubles and adds as it
-/// reads.
+/// reads. 32 bits hold the starts of 6.7e7 spheres; `grains.count` stays below.
 template <int D>
 inline constexpr std::uint32_t start_step = Row<D>::force_stride * sizeof(double);
 static_assert(Row<2>::stride == 2 * Row<2>::force_stride && Row<3>::stride == 2 * Row<3>::force_stride);
