@@ -26,6 +26,9 @@ constexpr double speed_margin = 1.2, slow_margin = 3;
 /// Bodies are put back into spatial order at every so-manieth list.
 constexpr std::int64_t lists_per_order = 16;
 
+/// Where more than this part of the listed pairs touched at the last step, they are not collected first.
+constexpr double most_touch = 0.5;
+
 double sum(const double (&slots)[block]) {
   double s = 0;
   for (const double a : slots) s += a;
@@ -123,12 +126,16 @@ void ClusterEngine::compute_forces() {
   if (stale_) relist();
   ClusterTally tally{};
   const PressRule rule{grain_law_, kind_, parallel_, parallel_sine2_, dt_};
-  contacts_.count = kernels_->collect(collect_arrays(bodies_, pairs_, contacts_));
-  if (duplicates_ == DuplicateRule::merge)
-    hand_over_springs(merge_duplicates(bodies_, pairs_, rule, contacts_), pairs_);
-  forget_parted();
   std::fill(std::begin(tally.excess), std::end(tally.excess), -1.0);
-  kernels_->press(press_arrays(bodies_, pairs_, contacts_, rule, tally));
+  if (duplicates_ == DuplicateRule::literal && static_cast<double>(contacts_.count) > most_touch * static_cast<double>(pairs_.size())) {
+    contacts_.count = kernels_->press_listed(press_arrays(bodies_, pairs_, contacts_, rule, tally));
+  } else {
+    contacts_.count = kernels_->collect(collect_arrays(bodies_, pairs_, contacts_));
+    if (duplicates_ == DuplicateRule::merge)
+      hand_over_springs(merge_duplicates(bodies_, pairs_, rule, contacts_), pairs_);
+    kernels_->press(press_arrays(bodies_, pairs_, contacts_, rule, tally));
+  }
+  forget_parted();
   damped_ += sum(tally.damped) * dt_;
   rubbed_ += sum(tally.rubbed);
   for (const double e : tally.excess)
@@ -236,8 +243,8 @@ void ClusterEngine::check() const {
 }
 
 void ClusterEngine::fail_deep() const {
-  for (std::size_t c = 0; c < contacts_.count; ++c) {
-    const std::size_t k = contacts_.pair[c];
+  check();
+  for (std::size_t k = 0; k < pairs_.count; ++k) {
     const double *one = bodies_.arm(pairs_.arm_i[k]), *two = bodies_.arm(pairs_.arm_j[k]);
     const Segment<double> a = axis_of(one), b = axis_of(two);
     const double overlap = one[3] + two[3] - std::sqrt(closest_points(a, b).distance2);
@@ -245,7 +252,6 @@ void ClusterEngine::fail_deep() const {
       fail(pairs_.i[k], "overlaps body " + std::to_string(bodies_.id[pairs_.j[k]]) + " by " + std::to_string(overlap) +
                             ", more than the radius of an arm: their axes are about to cross");
   }
-  check();
   fail(0, "or another overlaps its neighbour by more than the radius of an arm");
 }
 

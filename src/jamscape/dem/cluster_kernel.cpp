@@ -39,21 +39,29 @@ const ClusterKernels& best_cluster_kernels() {
 void ArmContacts::resize(std::size_t pairs) {
   count = 0;
   pair.resize(pairs + block);
-  s.resize(pairs + block);
-  t.resize(pairs + block);
   touching.assign(pairs / block, 0);
 }
 
 CollectArrays collect_arrays(const ClusterState& b, const ArmPairs& p, ArmContacts& out) {
-  return {b.arms.data(),   p.arm_i.data(), p.arm_j.data(), p.size(),
-          out.pair.data(), out.s.data(),   out.t.data(),   out.touching.data()};
+  return {b.arms.data(), p.arm_i.data(), p.arm_j.data(), p.size(), out.pair.data(), out.touching.data()};
 }
 
-PressArrays press_arrays(ClusterState& b, ArmPairs& p, const ArmContacts& c, const PressRule& rule,
-                         ClusterTally& tally) {
-  return {b.rows.data(), b.arms.data(),    b.forces.data(), p.i.data(), p.j.data(), p.arm_i.data(), p.arm_j.data(),
-          p.mbar.data(), p.springs.data(), c.pair.data(),   c.s.data(), c.t.data(), c.count,        &rule,
-          &tally};
+PressArrays press_arrays(ClusterState& b, ArmPairs& p, ArmContacts& c, const PressRule& rule, ClusterTally& tally) {
+  return {.rows = b.rows.data(),
+          .arms = b.arms.data(),
+          .forces = b.forces.data(),
+          .i = p.i.data(),
+          .j = p.j.data(),
+          .arm_i = p.arm_i.data(),
+          .arm_j = p.arm_j.data(),
+          .mbar = p.mbar.data(),
+          .springs = p.springs.data(),
+          .pairs = p.size(),
+          .pair = c.pair.data(),
+          .touching = c.touching.data(),
+          .contacts = c.count,
+          .rule = &rule,
+          .tally = &tally};
 }
 
 MotionArrays motion_arrays(ClusterState& b, double dt) {

@@ -1,8 +1,9 @@
-// The three passes that a step of clusters is made of, each for several vector widths behind one table of functions.
+// The passes that a step of clusters is made of, each for several vector widths behind one table of functions.
 //
-//   collect    reads arms and pairs; writes which pairs touch, and where on their axes
-//   press      reads arms, rows, pairs and what was collected; reads and writes springs, forces, the tally
-//   integrate  reads forces, inverse inertias, own arms; reads and writes rows and momenta; writes arms; clears forces
+//   collect       reads arms and pairs; writes which pairs touch
+//   press         reads arms, rows, pairs and what was collected; reads and writes springs, forces, the tally
+//   press_listed  both in one, over all listed pairs: faster where most of them touch
+//   integrate     reads forces, inverse inertias, own arms; reads and writes rows and momenta; writes arms; clears forces
 //
 // Order of sums: the forces of the c-th touching pair are added to its first body, then to its second, for c = 0, 1, 2,
 // ...; energies are summed in eight slots, c mod 8. Every implementation keeps that order and uses exact element-wise
@@ -22,7 +23,6 @@ namespace jam {
 struct ArmContacts {
   std::size_t count = 0;
   Aligned<std::uint32_t> pair;     ///< index into the list
-  Aligned<double> s, t;            ///< closest points, along the axes from the arms' centres
   Aligned<std::uint8_t> touching;  ///< a bit a listed pair
 
   void resize(std::size_t pairs);  ///< room for all listed pairs
@@ -43,14 +43,18 @@ struct PressRule {
   double dt;
 };
 
-/// Calls f.operator()<friction, parallel>() for a rule known at run time only.
+/// Calls f.operator()<law, friction, parallel>() for a rule known at run time only.
 template <class F>
 JAM_INLINE void with_rule(const PressRule& rule, F&& f) {
   const bool middle = rule.parallel == ParallelRule::middle;
-  if (rule.law.mu > 0)
-    middle ? f.template operator()<true, ParallelRule::middle>() : f.template operator()<true, ParallelRule::blend>();
-  else
-    middle ? f.template operator()<false, ParallelRule::middle>() : f.template operator()<false, ParallelRule::blend>();
+  with_law(rule.kind, [&]<NormalLaw law>() {
+    if (rule.law.mu > 0)
+      middle ? f.template operator()<law, true, ParallelRule::middle>()
+             : f.template operator()<law, true, ParallelRule::blend>();
+    else
+      middle ? f.template operator()<law, false, ParallelRule::middle>()
+             : f.template operator()<law, false, ParallelRule::blend>();
+  });
 }
 
 // Bare arrays (see ClusterState, ArmPairs, ArmContacts): code built for a wider vector must not lend its copies of
@@ -59,9 +63,8 @@ JAM_INLINE void with_rule(const PressRule& rule, F&& f) {
 struct CollectArrays {
   const double* arms;
   const std::uint32_t *arm_i, *arm_j;
-  std::size_t pairs;  ///< whole blocks
-  std::uint32_t* pair;
-  double *s, *t;
+  std::size_t pairs;    ///< whole blocks
+  std::uint32_t* pair;  ///< out, with room for a block more
   std::uint8_t* touching;
 };
 
@@ -71,8 +74,9 @@ struct PressArrays {
   const std::uint32_t *i, *j, *arm_i, *arm_j;
   const double* mbar;
   double* springs;
-  const std::uint32_t* pair;
-  const double *s, *t;
+  std::size_t pairs;
+  std::uint32_t* pair;
+  std::uint8_t* touching;
   std::size_t contacts;
   const PressRule* rule;
   ClusterTally* tally;
@@ -89,7 +93,7 @@ struct MotionArrays {
 };
 
 CollectArrays collect_arrays(const ClusterState& bodies, const ArmPairs& pairs, ArmContacts& out);
-PressArrays press_arrays(ClusterState& bodies, ArmPairs& pairs, const ArmContacts& contacts, const PressRule& rule,
+PressArrays press_arrays(ClusterState& bodies, ArmPairs& pairs, ArmContacts& contacts, const PressRule& rule,
                          ClusterTally& tally);
 MotionArrays motion_arrays(ClusterState& bodies, double dt);
 
@@ -98,6 +102,7 @@ struct ClusterKernels {
   const char* name;
   std::size_t (*collect)(const CollectArrays&);  ///< how many touch
   void (*press)(const PressArrays&);
+  std::size_t (*press_listed)(const PressArrays&);  ///< how many touch; `pair` is left undefined
   void (*integrate)(MotionArrays&);
 };
 

@@ -6,8 +6,8 @@ namespace jam {
 const ClusterKernels& avx2_cluster_kernels();
 
 const ClusterKernels& avx2_cluster_kernels() {
-  static constexpr ClusterKernels kernels{"avx2", HWY_NAMESPACE::clusters::collect, HWY_NAMESPACE::clusters::press,
-                                          HWY_NAMESPACE::clusters::integrate_wide};
+  namespace wide = HWY_NAMESPACE::clusters;
+  static constexpr ClusterKernels kernels{"avx2", wide::collect, wide::press, wide::press_listed, wide::integrate_wide};
   return kernels;
 }
 

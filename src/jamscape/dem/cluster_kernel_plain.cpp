@@ -6,67 +6,72 @@
 namespace jam {
 namespace {
 
+using R = ClusterRow;
+
+bool touches(const double* one, const double* two) {
+  const double reach = one[3] + two[3];
+  return closest_points(axis_of(one), axis_of(two)).distance2 < reach * reach;
+}
+
 std::size_t collect(const CollectArrays& p) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < p.pairs; k += block) {
     std::uint8_t bits = 0;
     for (std::size_t l = 0; l < block; ++l) {
-      const double* one = p.arms + ClusterRow::arm_stride * p.arm_i[k + l];
-      const double* two = p.arms + ClusterRow::arm_stride * p.arm_j[k + l];
-      const double reach = one[3] + two[3];
-      const ClosestPoints<double> c = closest_points(axis_of(one), axis_of(two));
-      if (!(c.distance2 < reach * reach)) continue;
+      if (!touches(p.arms + R::arm_stride * p.arm_i[k + l], p.arms + R::arm_stride * p.arm_j[k + l])) continue;
       bits = static_cast<std::uint8_t>(bits | 1u << l);
-      p.pair[count] = static_cast<std::uint32_t>(k + l);
-      p.s[count] = c.s;
-      p.t[count] = c.t;
-      ++count;
+      p.pair[count++] = static_cast<std::uint32_t>(k + l);
     }
     p.touching[k / block] = bits;
   }
   return count;
 }
 
+/// Pair k, the c-th that touches.
 template <NormalLaw law, bool friction, ParallelRule parallel>
-void press_loop(const PressArrays& p) {
-  using R = ClusterRow;
+void press_pair(const PressArrays& p, std::size_t k, std::size_t c) {
   const PressRule& rule = *p.rule;
-  for (std::size_t c = 0; c < p.contacts; ++c) {
-    const std::size_t k = p.pair[c], slot = c % block;
-    const double *one = p.arms + R::arm_stride * p.arm_i[k], *two = p.arms + R::arm_stride * p.arm_j[k];
-    const double *bi = p.rows + R::stride * p.i[k], *bj = p.rows + R::stride * p.j[k];
-    const ArmTouch<double> touched =
-        touch_arms<parallel>(axis_of(one), one[3], axis_of(two), two[3], p.s[c], p.t[c], rule.parallel_sine2);
-    const Vec3 lever_i = touched.point - vec3(bi), lever_j = touched.point - vec3(bj);
-    const Vec3 v = (vec3(bi + R::velocity) + cross(vec3(bi + R::spin), lever_i)) -
-                   (vec3(bj + R::velocity) + cross(vec3(bj + R::spin), lever_j));
-    Vec3 spring = vec3(p.springs + 4 * k);
-    const auto f =
-        touch<3, law, friction>(rule.law, touched.normal, touched.overlap, p.mbar[k], v, Vec3{}, spring, rule.dt);
-    p.tally->damped[slot] += f.damped;
-    p.tally->rubbed[slot] += f.rubbed;
-    p.tally->excess[slot] = larger(p.tally->excess[slot], touched.overlap - smaller(one[3], two[3]));
-    const Vec3 force = (-f.normal) * touched.normal + f.tangential;
-    const Vec3 torque_i = cross(lever_i, force), torque_j = cross(lever_j, force);
-    double *fi = p.forces + R::force_stride * p.i[k], *fj = p.forces + R::force_stride * p.j[k];
-    for (int e = 0; e < 3; ++e) {
-      fi[e] += force[e], fi[4 + e] += torque_i[e];
-      fj[e] -= force[e], fj[4 + e] -= torque_j[e];
-      if constexpr (friction) p.springs[4 * k + static_cast<std::size_t>(e)] = spring[e];
-    }
+  const std::size_t slot = c % block;
+  const double *one = p.arms + R::arm_stride * p.arm_i[k], *two = p.arms + R::arm_stride * p.arm_j[k];
+  const double *bi = p.rows + R::stride * p.i[k], *bj = p.rows + R::stride * p.j[k];
+  const ArmTouch<double> touched = touch_arms<parallel>(one, two, rule.parallel_sine2);
+  const Vec3 lever_i = touched.point - vec3(bi), lever_j = touched.point - vec3(bj);
+  const Vec3 v = (vec3(bi + R::velocity) + cross(vec3(bi + R::spin), lever_i)) -
+                 (vec3(bj + R::velocity) + cross(vec3(bj + R::spin), lever_j));
+  Vec3 spring = vec3(p.springs + 4 * k);
+  const auto f =
+      touch<3, law, friction>(rule.law, touched.normal, touched.overlap, p.mbar[k], v, Vec3{}, spring, rule.dt);
+  p.tally->damped[slot] += f.damped;
+  p.tally->rubbed[slot] += f.rubbed;
+  p.tally->excess[slot] = larger(p.tally->excess[slot], touched.overlap - smaller(one[3], two[3]));
+  const Vec3 force = (-f.normal) * touched.normal + f.tangential;
+  const Vec3 torque_i = cross(lever_i, force), torque_j = cross(lever_j, force);
+  double *fi = p.forces + R::force_stride * p.i[k], *fj = p.forces + R::force_stride * p.j[k];
+  for (int e = 0; e < 3; ++e) {
+    fi[e] += force[e], fi[4 + e] += torque_i[e];
+    fj[e] -= force[e], fj[4 + e] -= torque_j[e];
+    if constexpr (friction) p.springs[4 * k + static_cast<std::size_t>(e)] = spring[e];
   }
 }
 
 void press(const PressArrays& p) {
-  with_law(p.rule->kind, [&]<NormalLaw law>() {
-    with_rule(*p.rule, [&]<bool friction, ParallelRule parallel>() { press_loop<law, friction, parallel>(p); });
+  with_rule(*p.rule, [&]<NormalLaw law, bool friction, ParallelRule parallel>() {
+    for (std::size_t c = 0; c < p.contacts; ++c) press_pair<law, friction, parallel>(p, p.pair[c], c);
   });
+}
+
+std::size_t press_listed(const PressArrays& p) {
+  const std::size_t count = collect({p.arms, p.arm_i, p.arm_j, p.pairs, p.pair, p.touching});
+  PressArrays collected = p;
+  collected.contacts = count;
+  press(collected);
+  return count;
 }
 
 }  // namespace
 
 const ClusterKernels& plain_cluster_kernels() {
-  static const ClusterKernels kernels{"plain", collect, press, integrate};
+  static const ClusterKernels kernels{"plain", collect, press, press_listed, integrate};
   return kernels;
 }
 

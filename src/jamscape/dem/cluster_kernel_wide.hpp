@@ -3,6 +3,8 @@
 // the law works on full vectors. Included by one file per vector width.
 #pragma once
 
+#include <bit>
+
 #include "jamscape/dem/cluster_contact.hpp"
 #include "jamscape/dem/cluster_motion.hpp"
 #include "jamscape/geometry/lanes.hpp"
@@ -24,98 +26,209 @@ JAM_INLINE WideArms load_arms(const double* arms, const std::uint32_t* index) {
   return {{vector_of(c), vector_of(u), u.c[3]}, c.c[3]};
 }
 
-inline std::size_t collect(const CollectArrays& p) {
+/// Which of `width` pairs touch, as bits.
+JAM_INLINE std::uint32_t touching_bits(const double* arms, const std::uint32_t* arm_i, const std::uint32_t* arm_j) {
+  const WideArms one = load_arms(arms, arm_i), two = load_arms(arms, arm_j);
+  const Lanes reach = one.radius + two.radius;
+  return lane_bits(closest_points(one.axis, two.axis).distance2 < reach * reach);
+}
+
+inline std::size_t collect(const CollectArrays& arrays) {
+  constexpr hn::CappedTag<std::uint32_t, width> d;
+  const CollectArrays p = arrays;  // pointers that no store can change
   std::size_t count = 0;
   for (std::size_t k = 0; k < p.pairs; k += block) {
     std::uint32_t all = 0;
-    for (std::size_t from = 0; from < block; from += width) {
-      const WideArms one = load_arms(p.arms, p.arm_i + k + from), two = load_arms(p.arms, p.arm_j + k + from);
-      const Lanes reach = one.radius + two.radius;
-      const ClosestPoints<Lanes> c = closest_points(one.axis, two.axis);
-      const Mask touching = c.distance2 < reach * reach;
-      const std::uint32_t bits = lane_bits(touching);
-      hn::CompressBlendedStore(c.s.v, touching.m, Tag(), p.s + count);
-      hn::CompressBlendedStore(c.t.v, touching.m, Tag(), p.t + count);
-      for (std::uint32_t l = 0; l < width; ++l) {  // writes ahead, keeps what touches
-        p.pair[count] = static_cast<std::uint32_t>(k + from) + l;
-        count += bits >> l & 1;
-      }
-      all |= bits << from;
+    for (std::size_t from = k; from < k + block; from += width) {
+      const std::uint32_t bits = touching_bits(p.arms, p.arm_i + from, p.arm_j + from);
+      const std::uint8_t padded[8] = {static_cast<std::uint8_t>(bits)};
+      hn::CompressBitsStore(hn::Iota(d, static_cast<std::uint32_t>(from)), padded, d, p.pair + count);
+      count += static_cast<std::size_t>(std::popcount(bits));
+      all |= bits << (from - k);
     }
     p.touching[k / block] = static_cast<std::uint8_t>(all);
   }
   return count;
 }
 
-/// Indices of `width` contacts; those beyond the last repeat it.
-struct Batch {
-  alignas(64) double mbar[width];
-  alignas(64) double s[width];
-  alignas(64) double t[width];
-  std::uint32_t pair[width], i[width], j[width], arm_i[width], arm_j[width];
+/// Energies of contacts on their way into the tally. Many are kept: what has just been stored in two parts cannot be
+/// loaded in one without waiting.
+struct Booked {
+  static constexpr std::size_t room = 32 * block;
+  alignas(64) double damped[room + block], rubbed[room + block];
+  std::size_t count = 0;
+
+  JAM_INLINE void add(Mask touching, std::uint32_t bits, Lanes more_damped, Lanes more_rubbed, ClusterTally& tally) {
+    store_chosen(more_damped, touching, damped + count);
+    store_chosen(more_rubbed, touching, rubbed + count);
+    count += static_cast<std::size_t>(std::popcount(bits));
+    if (count < room) return;
+    empty(room, tally);
+    for (std::size_t l = 0; l < block; l += width) {
+      Lanes::load(damped + room + l).store(damped + l);
+      Lanes::load(rubbed + room + l).store(rubbed + l);
+    }
+    count -= room;
+  }
+  /// Hands over the first `number`.
+  void empty(std::size_t number, ClusterTally& tally) const {
+    for (std::size_t l = 0; l < number; l += width) {
+      const Mask real = first_lanes(static_cast<int>(number - l < width ? number - l : width));
+      double *to_damped = tally.damped + l % block, *to_rubbed = tally.rubbed + l % block;
+      (Lanes::load(to_damped) + select_or_zero(real, Lanes::load(damped + l))).store(to_damped);
+      (Lanes::load(to_rubbed) + select_or_zero(real, Lanes::load(rubbed + l))).store(to_rubbed);
+    }
+  }
 };
 
-JAM_INLINE void fill(Batch& b, const PressArrays& p, std::size_t from, std::size_t count) {
-  for (std::size_t l = 0; l < width; ++l) {
-    const std::size_t c = from + (l < count ? l : count - 1), k = p.pair[c];
-    b.pair[l] = p.pair[c];
-    b.i[l] = p.i[k], b.j[l] = p.j[k], b.arm_i[l] = p.arm_i[k], b.arm_j[l] = p.arm_j[k];
-    b.mbar[l] = p.mbar[k], b.s[l] = p.s[c], b.t[l] = p.t[c];
+/// Which pairs a vector holds, and where their data are.
+struct Vector {
+  const std::uint32_t *i, *j, *arm_i, *arm_j;
+  const double* mbar;
+  const std::uint32_t* pair;  ///< of collected ones
+};
+
+/// Indices of `width` collected pairs; those beyond the last repeat it.
+struct Batch {
+  alignas(64) double mbar[width];
+  std::uint32_t pair[width], i[width], j[width], arm_i[width], arm_j[width];
+
+  JAM_INLINE void fill(const PressArrays& p, std::size_t from) {
+    for (std::size_t l = 0; l < width; ++l) {
+      const std::size_t k = p.pair[from + l < p.contacts ? from + l : p.contacts - 1];
+      pair[l] = static_cast<std::uint32_t>(k), mbar[l] = p.mbar[k];
+      i[l] = p.i[k], j[l] = p.j[k], arm_i[l] = p.arm_i[k], arm_j[l] = p.arm_j[k];
+    }
   }
-}
+};
+
+// What a stage hands to the next. `bits`, as `touching`: the pairs that touch.
+struct Met {
+  ArmApproach<Lanes> arms;
+  Mask touching;
+  std::uint32_t bits = 0;
+};
+struct Moving {
+  ArmTouch<Lanes> touch;
+  Vec<3, Lanes> lever_i, lever_j, v;
+  Mask touching;
+  std::uint32_t bits = 0;
+};
+struct Pushed {
+  Vec<3, Lanes> force, torque_i, torque_j;  ///< 0 where nothing touches
+  std::uint32_t bits = 0;
+};
 
 JAM_INLINE Vec<3, Lanes> velocity_at(const double* rows, const std::uint32_t* index, const Vec<3, Lanes>& lever) {
   return vector_of(load_rows(rows + R::velocity, index, R::stride)) +
          cross(vector_of(load_rows(rows + R::spin, index, R::stride)), lever);
 }
 
-template <NormalLaw law, bool friction, ParallelRule parallel>
-inline void press_loop(const PressArrays& p) {
-  const PairLaw<Lanes> c = p.rule->law.as<Lanes>();
-  const Lanes sine2(p.rule->parallel_sine2), dt(p.rule->dt), zero(0.0);
-  Batch b;
-  for (std::size_t from = 0; from < p.contacts; from += width) {
-    const std::size_t count = p.contacts - from < width ? p.contacts - from : width;
-    fill(b, p, from, count);
-    const Mask real = first_lanes(static_cast<int>(count));
-    const WideArms one = load_arms(p.arms, b.arm_i), two = load_arms(p.arms, b.arm_j);
-    const ArmTouch<Lanes> t =
-        touch_arms<parallel>(one.axis, one.radius, two.axis, two.radius, Lanes::load(b.s), Lanes::load(b.t), sine2);
-    const Vec<3, Lanes> lever_i = t.point - vector_of(load_rows(p.rows, b.i, R::stride)),
-                        lever_j = t.point - vector_of(load_rows(p.rows, b.j, R::stride));
-    const Vec<3, Lanes> v = velocity_at(p.rows, b.i, lever_i) - velocity_at(p.rows, b.j, lever_j);
-    Vec<3, Lanes> spring{zero, zero, zero};
-    if constexpr (friction) spring = vector_of(load_rows(p.springs, b.pair, 4));
-    const auto f = touch<3, law, friction>(c, t.normal, t.overlap, Lanes::load(b.mbar), v,
-                                           Vec<3, Lanes>{zero, zero, zero}, spring, dt);
-    double* damped = p.tally->damped + from % block;
-    double* rubbed = p.tally->rubbed + from % block;
-    double* excess = p.tally->excess + from % block;
-    (Lanes::load(damped) + select_or_zero(real, f.damped)).store(damped);
-    (Lanes::load(rubbed) + select_or_zero(real, f.rubbed)).store(rubbed);
-    larger(Lanes::load(excess), t.overlap - smaller(one.radius, two.radius)).store(excess);
+JAM_INLINE void move(const double* rows, const Vector& at, const Met& met, Moving& m) {
+  touch_of(met.arms, m.touch);
+  m.lever_i = m.touch.point - vector_of(load_rows(rows, at.i, R::stride));
+  m.lever_j = m.touch.point - vector_of(load_rows(rows, at.j, R::stride));
+  m.v = velocity_at(rows, at.i, m.lever_i) - velocity_at(rows, at.j, m.lever_j);
+  m.touching = met.touching;
+}
 
-    const Vec<3, Lanes> force = (-f.normal) * t.normal + f.tangential;
-    const Vec<3, Lanes> torque_i = cross(lever_i, force), torque_j = cross(lever_j, force);
-    const Turned forces = turned({force[0], force[1], force[2], zero});
-    const Turned torques_i = turned({torque_i[0], torque_i[1], torque_i[2], zero});
-    const Turned torques_j = turned({torque_j[0], torque_j[1], torque_j[2], zero});
-    const Turned back = -forces, torques_back = -torques_j;
-    for (std::size_t l = 0; l < count; ++l) {
-      add_two_to<Tag>(p.forces + R::force_stride * b.i[l], forces, torques_i, l);
-      add_two_to<Tag>(p.forces + R::force_stride * b.j[l], back, torques_back, l);
-    }
-    if constexpr (friction) {
-      const Rows springs = to_rows({spring[0], spring[1], spring[2], zero});
-      for (std::size_t l = 0; l < count; ++l) hn::Store(springs.row[l], Tag4(), p.springs + 4 * b.pair[l]);
-    }
+JAM_INLINE void add_push(double* forces, const Vector& at, const Pushed& f) {
+  const Lanes zero(0.0);
+  const Turned force = turned({f.force[0], f.force[1], f.force[2], zero}),
+               on_i = turned({f.torque_i[0], f.torque_i[1], f.torque_i[2], zero}),
+               on_j = turned({f.torque_j[0], f.torque_j[1], f.torque_j[2], zero});
+  for (std::size_t l = 0; l < width; ++l) {
+    add_two_to(forces + R::force_stride * at.i[l], force, on_i, l);
+    subtract_two_from(forces + R::force_stride * at.j[l], force, on_j, l);
   }
 }
 
+/// Stages: where arms touch, relative motion, law, sums. In each turn four vectors go through one of them, the oldest
+/// first, so that none waits for another and what is handed on has one place. `listed`: of all listed pairs, those that
+/// do not touch being masked; otherwise of the collected ones. Returns how many touch.
+template <NormalLaw law, bool friction, ParallelRule parallel, bool listed>
+inline std::size_t press_loop(const PressArrays& arrays) {
+  const PressArrays p = arrays;  // pointers that no store can change
+  const std::size_t end = listed ? p.pairs : (p.contacts + width - 1) / width * width;
+  const PairLaw<Lanes> c = p.rule->law.as<Lanes>();
+  const Lanes sine2(p.rule->parallel_sine2), dt(p.rule->dt), zero(0.0);
+  Lanes excess(-1.0);
+  Batch batches[4];
+  Met met;
+  Moving moving;
+  Pushed pushed;
+  Booked booked;
+  std::size_t touching = 0;
+  const auto vector = [&](std::size_t k) -> Vector {
+    if constexpr (listed) return {p.i + k, p.j + k, p.arm_i + k, p.arm_j + k, p.mbar + k, nullptr};
+    const Batch& b = batches[k / width % 4];
+    return {b.i, b.j, b.arm_i, b.arm_j, b.mbar, b.pair};
+  };
+  for (std::size_t k = 0; k < end + 3 * width; k += width) {
+    if (pushed.bits) add_push(p.forces, vector(k - 3 * width), pushed);
+    pushed.bits = moving.bits;
+    if (moving.bits) {
+      const std::size_t from = k - 2 * width;
+      const Vector at = vector(from);
+      const auto row = [&](std::size_t l) { return p.springs + 4 * (listed ? from + l : at.pair[l]); };
+      Vec<3, Lanes> spring{zero, zero, zero};
+      if constexpr (friction) spring = vector_of(columns(load_turned(row)));
+      const Vec<3, Lanes> before = spring;
+      const auto f = touch<3, law, friction>(c, moving.touch.normal, moving.touch.overlap, Lanes::load(at.mbar),
+                                             moving.v, Vec<3, Lanes>{zero, zero, zero}, spring, dt);
+      booked.add(moving.touching, moving.bits, f.damped, f.rubbed, *p.tally);
+      if constexpr (friction) {
+        Columns kept{{zero, zero, zero, zero}};
+        for (int e = 0; e < 3; ++e) kept.c[e] = select(moving.touching, spring[e], before[e]);
+        const Rows springs = to_rows(kept);
+        for (std::size_t l = 0; l < width; ++l)
+          if (listed || moving.bits >> l & 1) hn::Store(springs.row[l], Tag4(), row(l));
+      }
+      for (int e = 0; e < 3; ++e)
+        pushed.force[e] = select_or_zero(moving.touching, -f.normal * moving.touch.normal[e] + f.tangential[e]);
+      pushed.torque_i = cross(moving.lever_i, pushed.force), pushed.torque_j = cross(moving.lever_j, pushed.force);
+    }
+    moving.bits = met.bits;
+    if (met.bits) {
+      move(p.rows, vector(k - width), met, moving);
+      excess = larger(excess, moving.touch.overlap - smaller(met.arms.r1, met.arms.r2));
+    }
+    met.bits = 0;
+    if (k < end) {
+      if constexpr (!listed) batches[k / width % 4].fill(p, k);
+      const Vector at = vector(k);
+      const WideArms one = load_arms(p.arms, at.arm_i), two = load_arms(p.arms, at.arm_j);
+      approach<parallel>(one.axis, one.radius, two.axis, two.radius, sine2, met.arms);
+      met.touching = met.arms.touching();
+      met.bits = lane_bits(met.touching);
+      if constexpr (listed) {
+        const std::size_t shift = k % block;
+        std::uint8_t& bits = p.touching[k / block];
+        bits = static_cast<std::uint8_t>((shift ? bits : 0) | met.bits << shift);
+        touching += static_cast<std::size_t>(std::popcount(met.bits));
+      } else if (p.contacts - k < width) {
+        met.bits &= (1u << (p.contacts - k)) - 1, met.touching = lanes_of(static_cast<std::uint8_t>(met.bits));
+      }
+    }
+  }
+  booked.empty(booked.count, *p.tally);
+  double* most = p.tally->excess;
+  larger(Lanes::load(most), excess).store(most);
+  return touching;
+}
+
 inline void press(const PressArrays& p) {
-  with_law(p.rule->kind, [&]<NormalLaw law>() {
-    with_rule(*p.rule, [&]<bool friction, ParallelRule parallel>() { press_loop<law, friction, parallel>(p); });
+  with_rule(*p.rule, [&]<NormalLaw law, bool friction, ParallelRule parallel>() {
+    press_loop<law, friction, parallel, false>(p);
   });
+}
+
+inline std::size_t press_listed(const PressArrays& p) {
+  std::size_t touching = 0;
+  with_rule(*p.rule, [&]<NormalLaw law, bool friction, ParallelRule parallel>() {
+    touching = press_loop<law, friction, parallel, true>(p);
+  });
+  return touching;
 }
 
 /// Bodies of even moments of inertia, `width` at a time; blocks with a free top in them, and the rest, one by one.

@@ -27,12 +27,7 @@ std::vector<Merged> merge_duplicates(const ClusterState& b, const ArmPairs& p, c
     group.clear();
     for (std::size_t k = from; k < to; ++k) {
       const double *one = b.arm(p.arm_i[c.pair[k]]), *two = b.arm(p.arm_j[c.pair[k]]);
-      const auto touch = [&]<ParallelRule parallel>() {
-        return touch_arms<parallel>(axis_of(one), one[3], axis_of(two), two[3], c.s[k], c.t[k], rule.parallel_sine2);
-      };
-      const ArmTouch<double> t = rule.parallel == ParallelRule::middle
-                                     ? touch.template operator()<ParallelRule::middle>()
-                                     : touch.template operator()<ParallelRule::blend>();
+      const ArmTouch<double> t = touch_arms(rule.parallel, one, two, rule.parallel_sine2);
       group.push_back({k, t.overlap, smaller(one[3], two[3]), t.point});
     }
     std::stable_sort(group.begin(), group.end(),
@@ -52,8 +47,7 @@ std::vector<Merged> merge_duplicates(const ClusterState& b, const ArmPairs& p, c
       bits = static_cast<std::uint8_t>(bits & ~bit_of(c.pair[k]));
       continue;
     }
-    c.pair[count] = c.pair[k], c.s[count] = c.s[k], c.t[count] = c.t[k];
-    ++count;
+    c.pair[count++] = c.pair[k];
   }
   c.count = count;
   return merged;

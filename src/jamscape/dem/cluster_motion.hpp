@@ -122,10 +122,11 @@ inline FrameRows rows_of(const Frame<double>& f) {
 
 /// Arms of a body at `row` from its own frame to the world's. The fourth numbers, r and h, come along.
 inline void place_arms(const double* row, const FrameRows& f, const double* own, double* arms, std::size_t count) {
+  const auto with_fourth = [](Four a, Four b) { return __builtin_shufflevector(a, b, 0, 1, 2, 7); };
   const Four x{row[0], row[1], row[2], 0};
   for (std::size_t a = 0; a < count; ++a, own += ClusterRow::arm_stride, arms += ClusterRow::arm_stride) {
-    four(arms) = x + own[0] * f.x + own[1] * f.y + own[2] * f.z + Four{0, 0, 0, own[3]};
-    four(arms + 4) = own[4] * f.x + own[5] * f.y + own[6] * f.z + Four{0, 0, 0, own[7]};
+    four(arms) = with_fourth(x + own[0] * f.x + own[1] * f.y + own[2] * f.z, four(own));
+    four(arms + 4) = with_fourth(own[4] * f.x + own[5] * f.y + own[6] * f.z, four(own + 4));
   }
 }
 inline void place_arms(MotionArrays& b, std::size_t k, const FrameRows& f) {

@@ -134,13 +134,8 @@ Packing ClusterEngine::record() const {
   if (duplicates_ == DuplicateRule::merge) merge_duplicates(bodies_, pairs_, rule, touching);
   for (std::size_t q = 0; q < touching.count; ++q) {
     const std::size_t k = touching.pair[q], i = pairs_.i[k], j = pairs_.j[k];
-    const double *one = bodies_.arm(pairs_.arm_i[k]), *two = bodies_.arm(pairs_.arm_j[k]);
-    const auto touch_of = [&]<ParallelRule parallel>() {
-      return touch_arms<parallel>(axis_of(one), one[3], axis_of(two), two[3], touching.s[q], touching.t[q],
-                                  parallel_sine2_);
-    };
-    const ArmTouch<double> t = parallel_ == ParallelRule::middle ? touch_of.template operator()<ParallelRule::middle>()
-                                                                 : touch_of.template operator()<ParallelRule::blend>();
+    const ArmTouch<double> t =
+        touch_arms(parallel_, bodies_.arm(pairs_.arm_i[k]), bodies_.arm(pairs_.arm_j[k]), parallel_sine2_);
     const Vec3 lever_i = t.point - vec3(bodies_.row(i)), lever_j = t.point - vec3(bodies_.row(j));
     const Vec3 v = velocity_at(bodies_.row(i), lever_i) - velocity_at(bodies_.row(j), lever_j);
     const Vec3 force =

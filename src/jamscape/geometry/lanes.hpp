@@ -66,6 +66,9 @@ JAM_INLINE Lanes larger(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
 JAM_INLINE Lanes select(Mask condition, Lanes a, Lanes b) { return hn::IfThenElse(condition.m, a.v, b.v); }
 JAM_INLINE Lanes select_or_zero(Mask condition, Lanes a) { return hn::IfThenElseZero(condition.m, a.v); }
 
+/// The lanes of `chosen` side by side from p on; behind them, up to `width` numbers, anything.
+JAM_INLINE void store_chosen(Lanes a, Mask chosen, double* p) { hn::CompressStore(a.v, chosen.m, Tag(), p); }
+
 /// Four columns of `width` rows of four doubles.
 struct Columns {
   Lanes c[4];
