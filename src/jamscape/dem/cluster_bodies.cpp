@@ -90,43 +90,47 @@ void append_bodies(ClusterState& s, const ClusterBodies& bodies, const std::vect
 }
 
 void rebuild_arms(ClusterState& s, const std::vector<ClusterShape>& shapes) {
+  s.own_arms.clear();
+  s.centred = true;
+  std::vector<std::uint32_t> own_of_shape;
+  for (const ClusterShape& shape : shapes) {
+    own_of_shape.push_back(static_cast<std::uint32_t>(s.own_arms.size()));
+    for (const Arm& arm : shape.arms) {
+      const Vec3 &c = arm.centre, &u = arm.direction;
+      s.own_arms.insert(s.own_arms.end(), {c[0], c[1], c[2], arm.radius, u[0], u[1], u[2], arm.half_length});
+      s.centred = s.centred && c == Vec3{};
+    }
+  }
   const std::size_t n = s.count();
-  const auto arms_of = [&](std::size_t k) -> const std::vector<Arm>& {
-    return shapes[static_cast<std::size_t>(s.shape[k])].arms;
-  };
+  const auto shape_of = [&](std::size_t k) { return static_cast<std::size_t>(s.shape[k]); };
+  const auto arms_of = [&](std::size_t k) { return static_cast<std::uint32_t>(shapes[shape_of(k)].arms.size()); };
   std::vector<std::uint32_t> first_by_id(n + 1, 0);
-  for (std::size_t k = 0; k < n; ++k) first_by_id[s.id[k] + 1] = static_cast<std::uint32_t>(arms_of(k).size());
+  for (std::size_t k = 0; k < n; ++k) first_by_id[s.id[k] + 1] = arms_of(k);
   std::partial_sum(first_by_id.begin(), first_by_id.end(), first_by_id.begin());
   s.first_arm.assign(1, 0);
-  s.own_arms.clear(), s.arm_id.clear(), s.arm_body.clear();
+  s.first_own.clear(), s.arm_id.clear(), s.arm_body.clear();
   for (std::size_t k = 0; k < n; ++k) {
-    const double size = s.scale[k];
-    std::uint32_t id = first_by_id[s.id[k]];
-    for (const Arm& arm : arms_of(k)) {
-      const Vec3 c = size * arm.centre;
-      const Vec3& u = arm.direction;
-      s.own_arms.insert(s.own_arms.end(),
-                        {c[0], c[1], c[2], size * arm.radius, u[0], u[1], u[2], size * arm.half_length});
-      s.arm_id.push_back(id++);
+    for (std::uint32_t a = 0; a < arms_of(k); ++a) {
+      s.arm_id.push_back(first_by_id[s.id[k]] + a);
       s.arm_body.push_back(static_cast<std::uint32_t>(k));
     }
+    s.first_own.push_back(own_of_shape[shape_of(k)]);
     s.first_arm.push_back(static_cast<std::uint32_t>(s.arm_id.size()));
   }
   s.forces.assign(n * R::force_stride, 0.0);
   s.moved.resize(n), s.skin.resize(n);
-  s.arms.assign(s.own_arms.begin(), s.own_arms.end());
+  s.arms.assign(s.arm_count() * R::arm_stride, 0.0);
   for (const double far : {-1e15, 1e15}) s.arms.insert(s.arms.end(), {far, far, far, 0.0, 1.0, 0.0, 0.0, 0.0});
   refresh(s);
 }
 
 void refresh(ClusterState& s) {
+  MotionArrays motion = motion_arrays(s, 0);
   for (std::size_t k = 0; k < s.count(); ++k) {
     double* row = s.row(k);
     const Vec3 w = spin_of(s, k, vec3(s.momentum.data() + 4 * k));
     for (std::size_t c = 0; c < 3; ++c) row[R::spin + c] = w[static_cast<int>(c)];
-    const std::size_t from = s.first_arm[k], count = s.first_arm[k + 1] - from;
-    place_arms(row, rows_of(frame_of(turn_at(row + R::orientation))), s.own_arms.data() + from * R::arm_stride,
-               s.arms.data() + from * R::arm_stride, count);
+    place_arms(motion, k, rows_of(frame_of(turn_at(row + R::orientation))));
   }
 }
 

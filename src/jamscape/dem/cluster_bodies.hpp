@@ -44,18 +44,21 @@ struct ClusterState {
   // warm: read by the integrator once a step
   Aligned<double> momentum;  ///< angular momentum in the world's frame and 0, a body
   Aligned<double> inverse;   ///< like force rows: inverse masses, then inverse moments of inertia along the body's axes
-  Aligned<double> own_arms;  ///< like arm rows, in the body's frame
   /// No point of a body has gone farther than `moved` since the list of arm pairs was made; the list must be made anew
   /// before that exceeds `skin`, for any body.
   Aligned<double> moved, skin;
   Aligned<std::uint8_t> top;             ///< 1: moments of inertia differ, the body turns as a free top
   std::vector<std::uint32_t> first_arm;  ///< of each body, and the end
+  std::vector<double> scale;             ///< of a body, over its shape
+  Aligned<double> own_arms;              ///< like arm rows, in the shapes' frames, one shape after another
+  std::vector<std::uint32_t> first_own;  ///< where in `own_arms` those of a body begin
+  bool centred = false;                  ///< the centres of all arms are those of their bodies
   // cold
   std::vector<std::uint32_t> id;        ///< of bodies
   std::vector<std::uint32_t> arm_id;    ///< number of the arm, counted in the order of ids
   std::vector<std::uint32_t> arm_body;  ///< the body of an arm
   std::vector<std::int32_t> shape;
-  std::vector<double> scale, radius;  ///< radius: of the circumscribed sphere
+  std::vector<double> radius;  ///< of the circumscribed sphere
 
   std::size_t count() const { return id.size(); }
   std::size_t arm_count() const { return arm_id.size(); }

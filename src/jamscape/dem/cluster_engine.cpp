@@ -193,14 +193,13 @@ void ClusterEngine::touch_walls() {
 
 void ClusterEngine::pull_down() {
   double power = 0;
-  for (std::size_t k = 0; k < bodies_.count(); ++k) {
-    const double* row = bodies_.row(k);
-    double* f = bodies_.force(k);
-    for (int c = 0; c < 3; ++c) {
-      f[c] += row[R::mass] * gravity_[c];
-      power += row[R::mass] * gravity_[c] * row[R::velocity + static_cast<std::size_t>(c)];
-    }
-  }
+  for (int c = 0; c < 3; ++c)
+    if (gravity_[c] != 0)
+      for (std::size_t k = 0; k < bodies_.count(); ++k) {
+        const double *row = bodies_.row(k), weight = row[R::mass] * gravity_[c];
+        bodies_.force(k)[c] += weight;
+        power += weight * row[R::velocity + static_cast<std::size_t>(c)];
+      }
   gravity_work_ += power * dt_;
 }
 

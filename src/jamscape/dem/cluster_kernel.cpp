@@ -72,11 +72,14 @@ MotionArrays motion_arrays(ClusterState& b, double dt) {
           .moved = b.moved.data(),
           .inverse = b.inverse.data(),
           .own_arms = b.own_arms.data(),
+          .scale = b.scale.data(),
           .skin = b.skin.data(),
           .top = b.top.data(),
           .first_arm = b.first_arm.data(),
+          .first_own = b.first_own.data(),
           .count = b.count(),
           .dt = dt,
+          .centred = b.centred,
           .outrun = false};
 }
 

@@ -84,11 +84,12 @@ struct PressArrays {
 
 struct MotionArrays {
   double *rows, *arms, *forces, *momentum, *moved;
-  const double *inverse, *own_arms, *skin;
+  const double *inverse, *own_arms, *scale, *skin;
   const std::uint8_t* top;
-  const std::uint32_t* first_arm;
+  const std::uint32_t *first_arm, *first_own;
   std::size_t count;
   double dt;
+  bool centred;
   bool outrun;  ///< out: a body has moved farther than its skin
 };
 

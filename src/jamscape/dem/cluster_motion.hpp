@@ -120,19 +120,27 @@ inline FrameRows rows_of(const Frame<double>& f) {
   return {Four{f.x[0], f.x[1], f.x[2], 0}, Four{f.y[0], f.y[1], f.y[2], 0}, Four{f.z[0], f.z[1], f.z[2], 0}};
 }
 
-/// Arms of a body at `row` from its own frame to the world's. The fourth numbers, r and h, come along.
-inline void place_arms(const double* row, const FrameRows& f, const double* own, double* arms, std::size_t count) {
+/// Puts the arms of a body at `row` where they are in the world: those of its shape, `own`, times `scale`. The fourth
+/// numbers, r and h, come along. `centred`: the arms' centres are the body's.
+template <bool centred>
+void place_arms(const double* row, const FrameRows& f, const double* own, double scale, double* arms,
+                std::size_t count) {
   const auto with_fourth = [](Four a, Four b) { return __builtin_shufflevector(a, b, 0, 1, 2, 7); };
-  const Four x{row[0], row[1], row[2], 0};
+  const Four x = four(row);
   for (std::size_t a = 0; a < count; ++a, own += ClusterRow::arm_stride, arms += ClusterRow::arm_stride) {
-    four(arms) = with_fourth(x + own[0] * f.x + own[1] * f.y + own[2] * f.z, four(own));
-    four(arms + 4) = with_fourth(own[4] * f.x + own[5] * f.y + own[6] * f.z, four(own + 4));
+    const Four c = scale * four(own), h = scale * four(own + 4);
+    if constexpr (centred)
+      four(arms) = with_fourth(x, c);
+    else
+      four(arms) = with_fourth(x + c[0] * f.x + c[1] * f.y + c[2] * f.z, c);
+    four(arms + 4) = with_fourth(own[4] * f.x + own[5] * f.y + own[6] * f.z, h);
   }
 }
 inline void place_arms(MotionArrays& b, std::size_t k, const FrameRows& f) {
   const std::size_t from = b.first_arm[k], count = b.first_arm[k + 1] - from;
-  place_arms(b.rows + k * ClusterRow::stride, f, b.own_arms + from * ClusterRow::arm_stride,
-             b.arms + from * ClusterRow::arm_stride, count);
+  const auto place = b.centred ? place_arms<true> : place_arms<false>;
+  place(b.rows + k * ClusterRow::stride, f, b.own_arms + b.first_own[k], b.scale[k],
+        b.arms + from * ClusterRow::arm_stride, count);
 }
 
 /// Velocity, position and angular momentum, the step's forces used up.
