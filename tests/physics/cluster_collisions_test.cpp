@@ -142,10 +142,9 @@ TEST(ClusterCollision, the_ledger_closes_with_friction_and_damping) {
 /// Two arms, the second .9 above the middle of the first and turned by `angle` about its own middle at x = 2.
 template <ParallelRule rule>
 ArmTouch<double> at_angle(double angle) {
-  const Segment<double> one{{0, 0, 0}, {1, 0, 0}, 3}, two{{2, 0.9, 0}, {std::cos(angle), std::sin(angle), 0}, 3};
-  const auto c = closest_points(one, two);
+  const double one[] = {0, 0, 0, 0.5, 1, 0, 0, 3}, two[] = {2, 0.9, 0, 0.5, std::cos(angle), std::sin(angle), 0, 3};
   const double bound = std::sin(std::numbers::pi / 90);
-  return touch_arms<rule>(one, 0.5, two, 0.5, c.s, c.t, bound * bound);
+  return touch_arms<rule>(one, two, bound * bound);
 }
 
 TEST(ParallelArms, overlap_and_normal_are_continuous_and_the_point_moves_by_the_rule) {

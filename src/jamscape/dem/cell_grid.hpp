@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "jamscape/base/error.hpp"
-#include "jamscape/dem/bodies.hpp"
 #include "jamscape/dem/periodic.hpp"
+#include "jamscape/dem/rows.hpp"
 
 namespace jam {
 
@@ -26,7 +26,9 @@ struct CellGrid {
   Aligned<double> radius;
   Aligned<std::uint32_t> body;
 
-  CellGrid(const Bodies<D>& bodies, const Periodic<D>& box, double least) {
+  /// `bodies` has count(), and for each body k row(k), which begins with the position, and radius(k).
+  template <class Points>
+  CellGrid(const Points& bodies, const Periodic<D>& box, double least) {
     for (int c = 0; c < D; ++c) {
       const auto e = static_cast<std::size_t>(c);
       double length = box.length[e];

@@ -27,7 +27,7 @@ constexpr double speed_margin = 1.2, slow_margin = 3;
 constexpr std::int64_t lists_per_order = 16;
 
 /// Where more than this part of the listed pairs touched at the last step, they are not collected first.
-constexpr double most_touch = 0.5;
+constexpr double most_touch = 0.45;
 
 double sum(const double (&slots)[block]) {
   double s = 0;
@@ -116,7 +116,7 @@ void ClusterEngine::relist() {
   const std::vector<std::uint32_t> old_arm_id = bodies_.arm_id;
   if (lists_++ % lists_per_order == 0) reorder(bodies_, spatial_order(bodies_), shapes_);
   if (bodies_.count() > 0) choose_skins();
-  pairs_ = list_arm_pairs(bodies_, pairs_, old_arm_id);
+  pairs_ = list_arm_pairs(bodies_, pairs_, old_arm_id, *kernels_);
   ends_ = list_wall_ends(bodies_, walls_, wall_skin_, ends_, old_arm_id);
   contacts_.resize(pairs_.size());
   stale_ = false;

@@ -1,5 +1,6 @@
 // The passes that a step of clusters is made of, each for several vector widths behind one table of functions.
 //
+//   near          finds pairs of arms that may touch before long, for the list
 //   collect       reads arms and pairs; writes which pairs touch
 //   press         reads arms, rows, pairs and what was collected; reads and writes springs, forces, the tally
 //   press_listed  both in one, over all listed pairs: faster where most of them touch
@@ -60,6 +61,14 @@ JAM_INLINE void with_rule(const PressRule& rule, F&& f) {
 // Bare arrays (see ClusterState, ArmPairs, ArmContacts): code built for a wider vector must not lend its copies of
 // library functions to the rest of the program.
 
+struct NearArms {
+  const double* arms;
+  const std::uint32_t *arm_i, *arm_j;  ///< candidates
+  const double* skin;                  ///< of both, a candidate
+  std::size_t count;                   ///< whole blocks
+  std::uint32_t* near;                 ///< out: candidates nearer than radii + skin; with room for a block more
+};
+
 struct CollectArrays {
   const double* arms;
   const std::uint32_t *arm_i, *arm_j;
@@ -101,6 +110,7 @@ MotionArrays motion_arrays(ClusterState& bodies, double dt);
 /// One implementation, named by its vector width.
 struct ClusterKernels {
   const char* name;
+  std::size_t (*near)(const NearArms&);          ///< how many are near
   std::size_t (*collect)(const CollectArrays&);  ///< how many touch
   void (*press)(const PressArrays&);
   std::size_t (*press_listed)(const PressArrays&);  ///< how many touch; `pair` is left undefined

@@ -7,7 +7,8 @@ const ClusterKernels& avx2_cluster_kernels();
 
 const ClusterKernels& avx2_cluster_kernels() {
   namespace wide = HWY_NAMESPACE::clusters;
-  static constexpr ClusterKernels kernels{"avx2", wide::collect, wide::press, wide::press_listed, wide::integrate_wide};
+  static constexpr ClusterKernels kernels{"avx2",        wide::near,         wide::collect,
+                                          wide::press, wide::press_listed, wide::integrate_wide};
   return kernels;
 }
 

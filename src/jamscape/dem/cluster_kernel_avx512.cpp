@@ -7,7 +7,8 @@ const ClusterKernels& avx512_cluster_kernels();
 
 const ClusterKernels& avx512_cluster_kernels() {
   namespace wide = HWY_NAMESPACE::clusters;
-  static constexpr ClusterKernels kernels{"avx512", wide::collect, wide::press, wide::press_listed, wide::integrate_wide};
+  static constexpr ClusterKernels kernels{"avx512",        wide::near,         wide::collect,
+                                          wide::press, wide::press_listed, wide::integrate_wide};
   return kernels;
 }
 

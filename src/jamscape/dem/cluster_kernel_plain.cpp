@@ -8,9 +8,17 @@ namespace {
 
 using R = ClusterRow;
 
-bool touches(const double* one, const double* two) {
-  const double reach = one[3] + two[3];
+bool nearer(const double* one, const double* two, double skin) {
+  const double reach = one[3] + two[3] + skin;
   return closest_points(axis_of(one), axis_of(two)).distance2 < reach * reach;
+}
+
+std::size_t near(const NearArms& p) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < p.count; ++k)
+    if (nearer(p.arms + R::arm_stride * p.arm_i[k], p.arms + R::arm_stride * p.arm_j[k], p.skin[k]))
+      p.near[count++] = static_cast<std::uint32_t>(k);
+  return count;
 }
 
 std::size_t collect(const CollectArrays& p) {
@@ -18,7 +26,7 @@ std::size_t collect(const CollectArrays& p) {
   for (std::size_t k = 0; k < p.pairs; k += block) {
     std::uint8_t bits = 0;
     for (std::size_t l = 0; l < block; ++l) {
-      if (!touches(p.arms + R::arm_stride * p.arm_i[k + l], p.arms + R::arm_stride * p.arm_j[k + l])) continue;
+      if (!nearer(p.arms + R::arm_stride * p.arm_i[k + l], p.arms + R::arm_stride * p.arm_j[k + l], 0)) continue;
       bits = static_cast<std::uint8_t>(bits | 1u << l);
       p.pair[count++] = static_cast<std::uint32_t>(k + l);
     }
@@ -71,7 +79,7 @@ std::size_t press_listed(const PressArrays& p) {
 }  // namespace
 
 const ClusterKernels& plain_cluster_kernels() {
-  static const ClusterKernels kernels{"plain", collect, press, press_listed, integrate};
+  static const ClusterKernels kernels{"plain", near, collect, press, press_listed, integrate};
   return kernels;
 }
 

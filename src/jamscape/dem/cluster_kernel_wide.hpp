@@ -26,24 +26,38 @@ JAM_INLINE WideArms load_arms(const double* arms, const std::uint32_t* index) {
   return {{vector_of(c), vector_of(u), u.c[3]}, c.c[3]};
 }
 
-/// Which of `width` pairs touch, as bits.
-JAM_INLINE std::uint32_t touching_bits(const double* arms, const std::uint32_t* arm_i, const std::uint32_t* arm_j) {
+/// Which of `width` pairs are nearer than their radii and `skin`, as bits.
+JAM_INLINE std::uint32_t near_bits(const double* arms, const std::uint32_t* arm_i, const std::uint32_t* arm_j,
+                                   Lanes skin) {
   const WideArms one = load_arms(arms, arm_i), two = load_arms(arms, arm_j);
-  const Lanes reach = one.radius + two.radius;
+  const Lanes reach = one.radius + two.radius + skin;
   return lane_bits(closest_points(one.axis, two.axis).distance2 < reach * reach);
 }
 
-inline std::size_t collect(const CollectArrays& arrays) {
+/// Writes from, from + 1, ... where `bits` are set. Returns how many.
+JAM_INLINE std::size_t store_set(std::size_t from, std::uint32_t bits, std::uint32_t* to) {
   constexpr hn::CappedTag<std::uint32_t, width> d;
-  const CollectArrays p = arrays;  // pointers that no store can change
+  const std::uint8_t padded[8] = {static_cast<std::uint8_t>(bits)};
+  hn::CompressBitsStore(hn::Iota(d, static_cast<std::uint32_t>(from)), padded, d, to);
+  return static_cast<std::size_t>(std::popcount(bits));
+}
+
+inline std::size_t near(const NearArms& arrays) {
+  const NearArms p = arrays;  // pointers that no store can change
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < p.count; k += width)
+    count += store_set(k, near_bits(p.arms, p.arm_i + k, p.arm_j + k, Lanes::load(p.skin + k)), p.near + count);
+  return count;
+}
+
+inline std::size_t collect(const CollectArrays& arrays) {
+  const CollectArrays p = arrays;
   std::size_t count = 0;
   for (std::size_t k = 0; k < p.pairs; k += block) {
     std::uint32_t all = 0;
     for (std::size_t from = k; from < k + block; from += width) {
-      const std::uint32_t bits = touching_bits(p.arms, p.arm_i + from, p.arm_j + from);
-      const std::uint8_t padded[8] = {static_cast<std::uint8_t>(bits)};
-      hn::CompressBitsStore(hn::Iota(d, static_cast<std::uint32_t>(from)), padded, d, p.pair + count);
-      count += static_cast<std::size_t>(std::popcount(bits));
+      const std::uint32_t bits = near_bits(p.arms, p.arm_i + from, p.arm_j + from, Lanes(0.0));
+      count += store_set(from, bits, p.pair + count);
       all |= bits << (from - k);
     }
     p.touching[k / block] = static_cast<std::uint8_t>(all);
@@ -91,14 +105,22 @@ struct Vector {
 /// Indices of `width` collected pairs; those beyond the last repeat it.
 struct Batch {
   alignas(64) double mbar[width];
-  std::uint32_t pair[width], i[width], j[width], arm_i[width], arm_j[width];
+  alignas(32) std::uint32_t pair[width], i[width], j[width], arm_i[width], arm_j[width];
 
   JAM_INLINE void fill(const PressArrays& p, std::size_t from) {
-    for (std::size_t l = 0; l < width; ++l) {
-      const std::size_t k = p.pair[from + l < p.contacts ? from + l : p.contacts - 1];
-      pair[l] = static_cast<std::uint32_t>(k), mbar[l] = p.mbar[k];
-      i[l] = p.i[k], j[l] = p.j[k], arm_i[l] = p.arm_i[k], arm_j[l] = p.arm_j[k];
+    constexpr hn::CappedTag<std::uint32_t, width> d;
+    constexpr hn::RebindToSigned<decltype(d)> index;
+    if (p.contacts - from < width) {
+      for (std::size_t l = 0; l < width; ++l) pair[l] = p.pair[from + l < p.contacts ? from + l : p.contacts - 1];
+    } else {
+      hn::Store(hn::LoadU(d, p.pair + from), d, pair);
     }
+    const auto k = hn::BitCast(index, hn::Load(d, pair));
+    hn::Store(hn::GatherIndex(d, p.i, k), d, i);
+    hn::Store(hn::GatherIndex(d, p.j, k), d, j);
+    hn::Store(hn::GatherIndex(d, p.arm_i, k), d, arm_i);
+    hn::Store(hn::GatherIndex(d, p.arm_j, k), d, arm_j);
+    hn::Store(hn::GatherIndex(Tag(), p.mbar, hn::PromoteTo(hn::RebindToSigned<Tag>(), k)), Tag(), mbar);
   }
 };
 

@@ -12,6 +12,8 @@
 
 namespace jam {
 
+struct ClusterKernels;
+
 struct ArmPairs {
   std::size_t count = 0;                      ///< without padding
   Aligned<std::uint32_t> i, j, arm_i, arm_j;  ///< bodies and arms
@@ -25,9 +27,9 @@ struct ArmPairs {
 };
 
 /// Springs by two numbers, to be found again when a list is made anew.
-class KeptSprings {
+class SpringsByNumber {
  public:
-  explicit KeptSprings(std::size_t firsts) : start_(firsts + 1, 0) {}
+  explicit SpringsByNumber(std::size_t firsts) : start_(firsts + 1, 0) {}
   /// All are put before any is looked for.
   void put(std::uint32_t first, std::uint32_t second, const Vec3& spring);
   void sort();
@@ -45,6 +47,7 @@ class KeptSprings {
 
 /// All pairs of arms of different bodies closer than the sum of radii and the bodies' skins. Springs are taken over
 /// from `old`, made of the same bodies, which may have been reordered since: `old_arm_id` is arm_id of that time.
-ArmPairs list_arm_pairs(const ClusterState& bodies, const ArmPairs& old, const std::vector<std::uint32_t>& old_arm_id);
+ArmPairs list_arm_pairs(const ClusterState& bodies, const ArmPairs& old, const std::vector<std::uint32_t>& old_arm_id,
+                        const ClusterKernels& kernels);
 
 }  // namespace jam

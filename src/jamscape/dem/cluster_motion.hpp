@@ -123,7 +123,7 @@ inline FrameRows rows_of(const Frame<double>& f) {
 /// Puts the arms of a body at `row` where they are in the world: those of its shape, `own`, times `scale`. The fourth
 /// numbers, r and h, come along. `centred`: the arms' centres are the body's.
 template <bool centred>
-void place_arms(const double* row, const FrameRows& f, const double* own, double scale, double* arms,
+JAM_INLINE void place_arms(const double* row, const FrameRows& f, const double* own, double scale, double* arms,
                 std::size_t count) {
   const auto with_fourth = [](Four a, Four b) { return __builtin_shufflevector(a, b, 0, 1, 2, 7); };
   const Four x = four(row);
@@ -138,9 +138,10 @@ void place_arms(const double* row, const FrameRows& f, const double* own, double
 }
 inline void place_arms(MotionArrays& b, std::size_t k, const FrameRows& f) {
   const std::size_t from = b.first_arm[k], count = b.first_arm[k + 1] - from;
-  const auto place = b.centred ? place_arms<true> : place_arms<false>;
-  place(b.rows + k * ClusterRow::stride, f, b.own_arms + b.first_own[k], b.scale[k],
-        b.arms + from * ClusterRow::arm_stride, count);
+  const double *row = b.rows + k * ClusterRow::stride, *own = b.own_arms + b.first_own[k];
+  double* arms = b.arms + from * ClusterRow::arm_stride;
+  b.centred ? place_arms<true>(row, f, own, b.scale[k], arms, count)
+            : place_arms<false>(row, f, own, b.scale[k], arms, count);
 }
 
 /// Velocity, position and angular momentum, the step's forces used up.

@@ -17,7 +17,7 @@ double nearest(const ClusterWall& wall, const double* row, double radius) {
 
 WallEnds list_wall_ends(const ClusterState& s, const std::vector<ClusterWall>& walls, double wall_skin,
                         const WallEnds& old, const std::vector<std::uint32_t>& old_arm_id) {
-  KeptSprings kept(s.arm_count());
+  SpringsByNumber kept(s.arm_count());
   const auto second = [](std::uint32_t wall, std::uint8_t end) { return 2 * wall + end; };
   for (std::size_t q = 0; q < old.size(); ++q)
     if (old.held[q]) kept.put(old_arm_id[old.arm[q]], second(old.wall[q], old.end[q]), old.spring[q]);
