@@ -300,14 +300,21 @@ JAM_INLINE PairPointers pointers(const PairArrays& p, std::size_t k) {
   return {p.i + k, p.j + k, shifted ? p.shift + k : nullptr, p.mbar + k, spring_of<D>(p, k)};
 }
 
-/// A vector between two stages.
+// What a stage hands to the next; `bits`: the pairs that touch.
 template <int D>
-struct Underway {
+struct Met {
   Geometry<D> geometry;
+  std::uint32_t bits = 0;
+};
+template <int D>
+struct Moving {
   Touch<D> touch;
+  std::uint32_t bits = 0;
+};
+template <int D>
+struct Pushed {
   Push<D> push;
-  alignas(64) std::uint32_t i[block], j[block];  ///< starts
-  bool any;
+  std::uint32_t bits = 0;
 };
 
 /// Rows and forces that take more bytes than this (half of a usual second-level cache) are called into the cache
@@ -329,48 +336,54 @@ JAM_INLINE void to_starts(const std::uint32_t* bodies, std::uint32_t* starts) {
   hn::Store(hn::ShiftLeft<std::countr_zero(start_step<D>)>(hn::Load(d, bodies)), d, starts);
 }
 
-/// Stages: distances, relative motion, law, sums. In two dimensions the first two are one, which is faster there: less
-/// goes through memory. Results of a stage are built in place: they are large.
+/// Stages: distances, relative motion, law, sums. In each turn every stage has one vector, the oldest first, so that none
+/// waits for another and what is handed on has one place. In two dimensions the first two are one, which is faster
+/// there: less goes through memory. Results of a stage are built in place: they are large.
 template <int D, NormalLaw law, bool friction, bool shifted>
 void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
   constexpr std::size_t to_law = D == 2 ? 1 : 2, to_sums = to_law + 1;
+  constexpr std::uint32_t all = (1u << width) - 1;
   const PairArrays p = arrays;  // pointers that no store can change
   const std::size_t begin = range.begin, end = range.end;
   const bool out_of_cache = p.nobody * (Row<D>::stride + Row<D>::force_stride) * sizeof(double) > fits_cache;
-  Underway<D> slots[4];
-  const auto slot = [&](std::size_t k) -> Underway<D>& { return slots[k / width % 4]; };
-  const auto is_due = [&](std::size_t k,
-                          std::size_t stage) {  // the vector `stage` before k, unless it has no touching pair
-    return k >= begin + stage * width && k < end + stage * width && slot(k - stage * width).any;
-  };
+  struct alignas(64) Starts {
+    std::uint32_t i[block], j[block];
+  } starts[4];
+  Met<D> met;
+  Moving<D> moving;
+  Pushed<D> pushed;
   const auto where = [&](std::size_t k) -> PairPointers {
-    return {slot(k).i, slot(k).j, shifted ? p.shift + k : nullptr, p.mbar + k, spring_of<D>(p, k)};
+    const Starts& s = starts[k / width % 4];
+    return {s.i, s.j, shifted ? p.shift + k : nullptr, p.mbar + k, spring_of<D>(p, k)};
   };
   for (std::size_t k = begin; k < end + to_sums * width; k += width) {
     if (out_of_cache && k + ahead * width < end) fetch_ahead<D>(p, p.j + k + ahead * width);
-    if (k < end) {
-      Underway<D>& u = slot(k);
-      const PairPointers at{p.i + k, p.j + k, shifted ? p.shift + k : nullptr, nullptr, nullptr};
-      distances<D, shifted, false>(p, at, u.geometry);  // does not wait for the starts
-      to_starts<D>(p.i + k, u.i);
-      to_starts<D>(p.j + k, u.j);
-      const std::uint32_t bits = lane_bits(u.geometry.touching);
-      u.any = bits != 0;
-      if constexpr (D == 2) to_touch<D, friction>(p, c, where(k), u.geometry, u.touch);
-      if constexpr (friction)
-        if (bits != (1u << width) - 1)
-          erase_parted<D, law>(c, u.geometry.touching, spring_of<D>(p, k), tally.rubbed[k / width % parts]);
-    }
-    if constexpr (D == 3)
-      if (is_due(k, 1)) to_touch<D, friction>(p, c, where(k - width), slot(k - width).geometry, slot(k - width).touch);
-    if (is_due(k, to_law)) {
+    if (pushed.bits) add_push<D, friction>(p, where(k - to_sums * width), pushed.push);
+    pushed.bits = moving.bits;
+    if (k >= begin + to_law * width && k < end + to_law * width) {
       const std::size_t m = k - to_law * width;
-      push_of<D, law, friction>(p, c, where(m), slot(m).touch, tally, m / width % parts, slot(m).push);
+      if (moving.bits) push_of<D, law, friction>(p, c, where(m), moving.touch, tally, m / width % parts, pushed.push);
+      if constexpr (friction)
+        if (moving.bits != all)
+          erase_parted<D, law>(c, lanes_of(static_cast<std::uint8_t>(moving.bits)), spring_of<D>(p, m),
+                               tally.rubbed[m / width % parts]);
     }
-    if (is_due(k, to_sums)) {
-      const std::size_t m = k - to_sums * width;
-      add_push<D, friction>(p, where(m), slot(m).push);
+    if constexpr (D == 3) {
+      moving.bits = met.bits;
+      if (met.bits) to_touch<D, friction>(p, c, where(k - width), met.geometry, moving.touch);
     }
+    met.bits = 0;
+    if (k < end) {
+      const PairPointers at{p.i + k, p.j + k, shifted ? p.shift + k : nullptr, nullptr, nullptr};
+      distances<D, shifted, false>(p, at, met.geometry);  // does not wait for the starts
+      Starts& s = starts[k / width % 4];
+      to_starts<D>(p.i + k, s.i);
+      to_starts<D>(p.j + k, s.j);
+      met.bits = lane_bits(met.geometry.touching);
+      if constexpr (D == 2)
+        if (met.bits) to_touch<D, friction>(p, c, where(k), met.geometry, moving.touch);
+    }
+    if constexpr (D == 2) moving.bits = met.bits;
   }
 }
 
