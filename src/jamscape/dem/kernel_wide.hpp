@@ -67,7 +67,7 @@ struct WideTally {
 template <int D>
 struct Geometry {
   Vec<D, Lanes> d;  ///< from i to j
-  Lanes radius_i, radius_j, reach, r2, r;
+  Lanes radius_i, radius_j, reach, r2;
   Mask touching;
 };
 
@@ -119,7 +119,6 @@ JAM_INLINE void distances(const PairArrays& p, const PairPointers& at, Geometry<
   g.radius_i = ca.c[3], g.radius_j = cb.c[3];
   g.reach = g.radius_i + g.radius_j;
   g.r2 = dot<fused<D>>(g.d, g.d);
-  g.r = square_root(g.r2);
   g.touching = g.r2 < g.reach * g.reach;
 }
 template <int D, bool shifted, bool started>
@@ -134,7 +133,7 @@ template <int D, bool friction>
 JAM_INLINE void to_touch(const PairArrays& p, const PairLaw<Lanes>& c, const PairPointers& at, const Geometry<D>& g,
                          Touch<D>& t) {
   using R = Row<D>;
-  t.r = g.r;
+  t.r = square_root(g.r2);
   t.n = (Lanes(1.0) / t.r) * g.d;
   t.x = g.reach - t.r;
   t.lever_i = subtract_product<fused<D>>(g.radius_i, c.lever_cut, t.x);
@@ -337,11 +336,9 @@ JAM_INLINE void to_starts(const std::uint32_t* bodies, std::uint32_t* starts) {
 }
 
 /// Stages: distances, relative motion, law, sums. In each turn every stage has one vector, the oldest first, so that none
-/// waits for another and what is handed on has one place. In two dimensions the first two are one, which is faster
-/// there: less goes through memory. Results of a stage are built in place: they are large.
+/// waits for another and what is handed on has one place. Results of a stage are built in place: they are large.
 template <int D, NormalLaw law, bool friction, bool shifted>
 void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
-  constexpr std::size_t to_law = D == 2 ? 1 : 2, to_sums = to_law + 1;
   constexpr std::uint32_t all = (1u << width) - 1;
   const PairArrays p = arrays;  // pointers that no store can change
   const std::size_t begin = range.begin, end = range.end;
@@ -356,22 +353,20 @@ void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<
     const Starts& s = starts[k / width % 4];
     return {s.i, s.j, shifted ? p.shift + k : nullptr, p.mbar + k, spring_of<D>(p, k)};
   };
-  for (std::size_t k = begin; k < end + to_sums * width; k += width) {
+  for (std::size_t k = begin; k < end + 3 * width; k += width) {
     if (out_of_cache && k + ahead * width < end) fetch_ahead<D>(p, p.j + k + ahead * width);
-    if (pushed.bits) add_push<D, friction>(p, where(k - to_sums * width), pushed.push);
+    if (pushed.bits) add_push<D, friction>(p, where(k - 3 * width), pushed.push);
     pushed.bits = moving.bits;
-    if (k >= begin + to_law * width && k < end + to_law * width) {
-      const std::size_t m = k - to_law * width;
+    if (k >= begin + 2 * width && k < end + 2 * width) {
+      const std::size_t m = k - 2 * width;
       if (moving.bits) push_of<D, law, friction>(p, c, where(m), moving.touch, tally, m / width % parts, pushed.push);
       if constexpr (friction)
         if (moving.bits != all)
           erase_parted<D, law>(c, lanes_of(static_cast<std::uint8_t>(moving.bits)), spring_of<D>(p, m),
                                tally.rubbed[m / width % parts]);
     }
-    if constexpr (D == 3) {
-      moving.bits = met.bits;
-      if (met.bits) to_touch<D, friction>(p, c, where(k - width), met.geometry, moving.touch);
-    }
+    moving.bits = met.bits;
+    if (met.bits) to_touch<D, friction>(p, c, where(k - width), met.geometry, moving.touch);
     met.bits = 0;
     if (k < end) {
       const PairPointers at{p.i + k, p.j + k, shifted ? p.shift + k : nullptr, nullptr, nullptr};
@@ -380,10 +375,7 @@ void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<
       to_starts<D>(p.i + k, s.i);
       to_starts<D>(p.j + k, s.j);
       met.bits = lane_bits(met.geometry.touching);
-      if constexpr (D == 2)
-        if (met.bits) to_touch<D, friction>(p, c, where(k), met.geometry, moving.touch);
     }
-    if constexpr (D == 2) moving.bits = met.bits;
   }
 }
 
