@@ -71,10 +71,11 @@ void ClusterEngine::start_in_step(std::uint32_t first_new) {
   dt_ = dt;
   for (std::size_t k = 0; k < bodies_.count(); ++k) {
     if (bodies_.id[k] < first_new) continue;
-    const double *force = bodies_.force(k), *inverse = bodies_.inverse.data() + k * R::force_stride;
+    const double *torque = bodies_.force(k) + 4, *inverse = bodies_.inverse.data() + k * R::force_stride;
+    const Vec3 force = force_on(k);
     for (std::size_t c = 0; c < 3; ++c) {
-      bodies_.row(k)[R::velocity + c] -= force[c] * inverse[c] * (dt_ / 2);
-      bodies_.momentum[4 * k + c] -= force[4 + c] * (dt_ / 2);
+      bodies_.row(k)[R::velocity + c] -= force[static_cast<int>(c)] * inverse[c] * (dt_ / 2);
+      bodies_.momentum[4 * k + c] -= torque[c] * (dt_ / 2);
     }
   }
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
@@ -141,7 +142,6 @@ void ClusterEngine::compute_forces() {
   for (const double e : tally.excess)
     if (!(e <= 0)) fail_deep();
   touch_walls();
-  if (dot(gravity_, gravity_) > 0) pull_down();
   for (std::size_t w = 0; w < walls_.size(); ++w)
     wall_work_ -= wall_force_[w][walls_[w].axis] * walls_[w].velocity * dt_;
 }
@@ -158,54 +158,46 @@ void ClusterEngine::forget_parted() {
   }
 }
 
+template <NormalLaw law, bool friction>
 void ClusterEngine::touch_walls() {
   for (std::size_t q = 0; q < ends_.size(); ++q) {
     const ClusterWall& wall = walls_[ends_.wall[q]];
     const double* arm = bodies_.arm(ends_.arm[q]);
-    const WallTouch t = touch_wall(wall, arm, ends_.end[q]);
     Vec3& spring = ends_.spring[q];
-    if (!(t.overlap > 0)) {
-      if (ends_.held[q] && !hertzian(kind_)) rubbed_ += spring_energy(wall_law_.k_t, spring);
+    if (!(wall_overlap(wall, arm, ends_.end[q]) > 0)) {
+      if (!ends_.held[q]) continue;
+      if (!hertzian(law)) rubbed_ += spring_energy(wall_law_.k_t, spring);
       spring = Vec3{};
       ends_.held[q] = 0;
       continue;
     }
     ends_.held[q] = 1;
+    const WallTouch t = touch_wall(wall, arm, ends_.end[q]);
     const std::size_t k = bodies_.arm_body[ends_.arm[q]];
     if (t.overlap > 2 * arm[3]) fail(k, "has an arm beyond wall " + std::to_string(ends_.wall[q]));
     const double* row = bodies_.row(k);
     const Vec3 lever = t.point - vec3(row);
     Vec3 v = vec3(row + R::velocity) + cross(vec3(row + R::spin), lever);
     v[wall.axis] -= wall.velocity;
-    with_law(kind_, [&]<NormalLaw law>() {
-      const auto f = wall_law_.mu > 0
-                         ? touch<3, law, true>(wall_law_, t.normal, t.overlap, row[R::mass], v, Vec3{}, spring, dt_)
-                         : touch<3, law, false>(wall_law_, t.normal, t.overlap, row[R::mass], v, Vec3{}, spring, dt_);
-      const Vec3 force = (-f.normal) * t.normal + f.tangential, torque = cross(lever, force);
-      double* sum = bodies_.force(k);
-      for (int c = 0; c < 3; ++c) sum[c] += force[c], sum[4 + c] += torque[c];
-      wall_force_[ends_.wall[q]] -= force;
-      damped_ += f.damped * dt_;
-      rubbed_ += f.rubbed;
-    });
+    const auto f = touch<3, law, friction>(wall_law_, t.normal, t.overlap, row[R::mass], v, Vec3{}, spring, dt_);
+    const Vec3 force = (-f.normal) * t.normal + f.tangential, torque = cross(lever, force);
+    double* sum = bodies_.force(k);
+    for (int c = 0; c < 3; ++c) sum[c] += force[c], sum[4 + c] += torque[c];
+    wall_force_[ends_.wall[q]] -= force;
+    damped_ += f.damped * dt_;
+    rubbed_ += f.rubbed;
   }
 }
 
-void ClusterEngine::pull_down() {
-  double power = 0;
-  for (int c = 0; c < 3; ++c)
-    if (gravity_[c] != 0)
-      for (std::size_t k = 0; k < bodies_.count(); ++k) {
-        const double *row = bodies_.row(k), weight = row[R::mass] * gravity_[c];
-        bodies_.force(k)[c] += weight;
-        power += weight * row[R::velocity + static_cast<std::size_t>(c)];
-      }
-  gravity_work_ += power * dt_;
+void ClusterEngine::touch_walls() {
+  with_law(kind_, [&]<NormalLaw law>() { wall_law_.mu > 0 ? touch_walls<law, true>() : touch_walls<law, false>(); });
 }
 
 void ClusterEngine::advance() {
   MotionArrays motion = motion_arrays(bodies_, dt_);
+  for (int c = 0; c < 3; ++c) motion.gravity[c] = gravity_[c];
   kernels_->integrate(motion);
+  gravity_work_ += motion.power * dt_;
   double fastest_wall = 0;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     walls_[w].position += walls_[w].velocity * dt_;

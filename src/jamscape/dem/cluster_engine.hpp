@@ -100,7 +100,10 @@ class ClusterEngine {
   void choose_skins();
   void forget_parted();
   void touch_walls();
-  void pull_down();
+  template <NormalLaw law, bool friction>
+  void touch_walls();
+  /// At the last compute_forces(), its weight included.
+  Vec3 force_on(std::size_t k) const { return vec3(bodies_.force(k)) + bodies_.row(k)[ClusterRow::mass] * gravity_; }
   [[noreturn]] void fail(std::size_t body, const std::string& problem) const;
   [[noreturn]] void fail_deep() const;
 

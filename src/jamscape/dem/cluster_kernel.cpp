@@ -79,7 +79,9 @@ MotionArrays motion_arrays(ClusterState& b, double dt) {
           .first_own = b.first_own.data(),
           .count = b.count(),
           .dt = dt,
+          .gravity = {},
           .centred = b.centred,
+          .power = 0,
           .outrun = false};
 }
 

@@ -4,7 +4,8 @@
 //   collect       reads arms and pairs; writes which pairs touch
 //   press         reads arms, rows, pairs and what was collected; reads and writes springs, forces, the tally
 //   press_listed  both in one, over all listed pairs: faster where most of them touch
-//   integrate     reads forces, inverse inertias, own arms; reads and writes rows and momenta; writes arms; clears forces
+//   integrate     reads forces, inverse inertias, own arms; adds weights; reads and writes rows and momenta; writes arms;
+//                 clears forces
 //
 // Order of sums: the forces of the c-th touching pair are added to its first body, then to its second, for c = 0, 1, 2,
 // ...; energies are summed in eight slots, c mod 8. Every implementation keeps that order and uses exact element-wise
@@ -98,8 +99,10 @@ struct MotionArrays {
   const std::uint32_t *first_arm, *first_own;
   std::size_t count;
   double dt;
+  alignas(32) double gravity[4] = {};
   bool centred;
-  bool outrun;  ///< out: a body has moved farther than its skin
+  double power = 0;  ///< out: of gravity
+  bool outrun;       ///< out: a body has moved farther than its skin
 };
 
 CollectArrays collect_arrays(const ClusterState& bodies, const ArmPairs& pairs, ArmContacts& out);

@@ -93,8 +93,8 @@ Packing ClusterEngine::record() const {
   g.shape.resize(n), g.scale.resize(n), g.orientation.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t a = bodies_.id[k];
-    const double *row = bodies_.row(k), *force = bodies_.force(k);
-    const double* inverse = bodies_.inverse.data() + k * R::force_stride;
+    const double *row = bodies_.row(k), *inverse = bodies_.inverse.data() + k * R::force_stride;
+    const Vec3 force = force_on(k), torque = vec3(bodies_.force(k) + 4);
     g.id[a] = static_cast<std::int64_t>(a);
     g.radius[a] = bodies_.radius[k];
     g.mass[a] = row[R::mass];
@@ -105,8 +105,8 @@ Packing ClusterEngine::record() const {
     Vec3 momentum;
     for (int c = 0; c < 3; ++c) {
       const auto e = static_cast<std::size_t>(c);
-      g.velocity[a][c] = row[R::velocity + e] + force[e] * inverse[e] * (dt_ / 2);
-      momentum[c] = bodies_.momentum[4 * k + e] + force[4 + e] * (dt_ / 2);
+      g.velocity[a][c] = row[R::velocity + e] + force[c] * inverse[e] * (dt_ / 2);
+      momentum[c] = bodies_.momentum[4 * k + e] + torque[c] * (dt_ / 2);
     }
     g.spin[a] = spin_of(bodies_, k, momentum);
     out.energy.kinetic += 0.5 * (g.mass[a] * dot(g.velocity[a], g.velocity[a]) + dot(g.spin[a], momentum));
@@ -169,7 +169,7 @@ Packing ClusterEngine::record() const {
   sort_contacts(c);
 
   for (std::size_t k = 0; k < n; ++k) {
-    const Vec3 force = vec3(bodies_.force(k)), torque = vec3(bodies_.force(k) + 4);
+    const Vec3 force = force_on(k), torque = vec3(bodies_.force(k) + 4);
     if (norm(force - force_sum[k]) > 1e-9 * (scale + norm(force)) ||
         norm(torque - torque_sum[k]) > 1e-9 * (turning_scale + norm(torque)))
       throw Error(ExitCode::bug, "the contacts of body " + std::to_string(bodies_.id[k]) + " at step " +
@@ -179,7 +179,10 @@ Packing ClusterEngine::record() const {
   out.energy.damped = damped_;
   out.energy.rubbed = hertzian(kind_) ? rubbed_ - energy.tangential : rubbed_;
   out.energy.wall_work = wall_work_;
-  out.energy.gravity_work = gravity_work_;
+  double power = 0;  // of this step, which advance() will book
+  for (std::size_t k = 0; k < n; ++k)
+    power += dot(bodies_.row(k)[R::mass] * gravity_, vec3(bodies_.row(k) + R::velocity));
+  out.energy.gravity_work = gravity_work_ + power * dt_;
   return out;
 }
 
@@ -198,7 +201,7 @@ ElasticEnergy ClusterEngine::elastic_energy() const {
       sum.add<law>(grain_law_, one[3] + two[3] - distance, pairs_.spring(k));
     }
     for (std::size_t q = 0; q < ends_.size(); ++q) {
-      const double x = touch_wall(walls_[ends_.wall[q]], bodies_.arm(ends_.arm[q]), ends_.end[q]).overlap;
+      const double x = wall_overlap(walls_[ends_.wall[q]], bodies_.arm(ends_.arm[q]), ends_.end[q]);
       if (x > 0) sum.add<law>(wall_law_, x, ends_.spring[q]);
     }
   });

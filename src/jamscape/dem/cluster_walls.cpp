@@ -29,7 +29,7 @@ WallEnds list_wall_ends(const ClusterState& s, const std::vector<ClusterWall>& w
       if (nearest(walls[w], s.row(k), s.radius[k]) <= -skin) continue;
       for (std::uint32_t a = s.first_arm[k]; a < s.first_arm[k + 1]; ++a)
         for (std::uint8_t end = 0; end < (s.arm(a)[7] > 0 ? 2 : 1); ++end) {
-          if (touch_wall(walls[w], s.arm(a), end).overlap <= -skin) continue;
+          if (wall_overlap(walls[w], s.arm(a), end) <= -skin) continue;
           const Vec3* spring = kept.find(s.arm_id[a], second(w, end));
           list.wall.push_back(w);
           list.arm.push_back(a);

@@ -41,23 +41,32 @@ struct WallTouch {
   Vec3 point;   ///< half the overlap behind the surface of the arm
 };
 
-inline WallTouch touch_wall(const ClusterWall& wall, const double* arm, int end) {
-  const Segment<double> axis = axis_of(arm);
-  const Vec3 tip = axis.centre + (end == 0 ? -axis.half_length : axis.half_length) * axis.direction;
+/// One coordinate of an end of an arm.
+inline double tip(const double* arm, int end, int c) { return arm[c] + (end == 0 ? -arm[7] : arm[7]) * arm[4 + c]; }
+
+/// Of an end with a wall; above 0 where they touch.
+inline double wall_overlap(const ClusterWall& wall, const double* arm, int end) {
   const double r = arm[3];
+  if (wall.kind == WallKind::plane)
+    return r - (wall.high ? -1.0 : 1.0) * (tip(arm, end, wall.axis) - wall.position);
+  Vec3 out;
+  for (int c = 0; c < 3; ++c) out[c] = c == wall.axis ? 0 : tip(arm, end, c) - wall.centre[c];
+  return norm(out) + r - wall.radius;
+}
+
+inline WallTouch touch_wall(const ClusterWall& wall, const double* arm, int end) {
+  const Vec3 at{tip(arm, end, 0), tip(arm, end, 1), tip(arm, end, 2)};
   WallTouch t{};
+  t.overlap = wall_overlap(wall, arm, end);
   if (wall.kind == WallKind::plane) {
-    const double sign = wall.high ? -1.0 : 1.0;
-    t.overlap = r - sign * (tip[wall.axis] - wall.position);
-    t.normal[wall.axis] = -sign;
+    t.normal[wall.axis] = wall.high ? 1.0 : -1.0;
   } else {
-    Vec3 out = tip - wall.centre;
+    Vec3 out = at - wall.centre;
     out[wall.axis] = 0;
     const double distance = norm(out);
-    t.overlap = distance + r - wall.radius;
     t.normal = distance > 0 ? (1 / distance) * out : out;
   }
-  t.point = tip + (r - t.overlap / 2) * t.normal;
+  t.point = at + (arm[3] - t.overlap / 2) * t.normal;
   return t;
 }
 
