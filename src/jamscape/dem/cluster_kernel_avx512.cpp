@@ -6,9 +6,7 @@ namespace jam {
 const ClusterKernels& avx512_cluster_kernels();
 
 const ClusterKernels& avx512_cluster_kernels() {
-  namespace wide = HWY_NAMESPACE::clusters;
-  static constexpr ClusterKernels kernels{"avx512",        wide::near,         wide::collect,
-                                          wide::press, wide::press_listed, wide::integrate_wide};
+  static constexpr ClusterKernels kernels = HWY_NAMESPACE::clusters::kernels_named("avx512");
   return kernels;
 }
 

@@ -1,23 +1,12 @@
 // The passes for AVX-512; compiled with that instruction set, entered only where the processor has it.
 #include "jamscape/dem/kernel_wide.hpp"
-#include "jamscape/dem/near_wide.hpp"
 
 namespace jam {
 
 const Kernels& avx512_kernels();
 
 const Kernels& avx512_kernels() {
-  static constexpr Kernels kernels{"avx512",
-                                   HWY_NAMESPACE::pairs<2>,
-                                   HWY_NAMESPACE::pairs<3>,
-                                   HWY_NAMESPACE::watch<2>,
-                                   HWY_NAMESPACE::watch<3>,
-                                   HWY_NAMESPACE::near<2>,
-                                   HWY_NAMESPACE::near<3>,
-                                   verlet<2>,
-                                   verlet<3>,
-                                   gear<2>,
-                                   gear<3>};
+  static constexpr Kernels kernels = HWY_NAMESPACE::kernels_named("avx512");
   return kernels;
 }
 
