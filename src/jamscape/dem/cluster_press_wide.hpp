@@ -37,8 +37,8 @@ struct Booked {
   }
 };
 
-/// Which pairs a vector holds, and where their data are.
-struct Vector {
+/// Where the pairs of a vector have their data.
+struct ArmPairPointers {
   const std::uint32_t *i, *j, *arm_i, *arm_j;
   const double* mbar;
   const std::uint32_t* pair;  ///< of collected ones
@@ -88,7 +88,7 @@ JAM_INLINE Vec<3, Lanes> velocity_at(const double* rows, const std::uint32_t* in
          cross(vector_of(load_rows(rows + R::spin, index, R::stride)), lever);
 }
 
-JAM_INLINE void move(const double* rows, const Vector& at, const Met& met, Moving& m) {
+JAM_INLINE void move(const double* rows, const ArmPairPointers& at, const Met& met, Moving& m) {
   touch_of(met.arms, m.touch);
   m.lever_i = m.touch.point - vector_of(load_rows(rows, at.i, R::stride));
   m.lever_j = m.touch.point - vector_of(load_rows(rows, at.j, R::stride));
@@ -96,7 +96,30 @@ JAM_INLINE void move(const double* rows, const Vector& at, const Met& met, Movin
   m.touching = met.touching;
 }
 
-JAM_INLINE void add_push(double* forces, const Vector& at, const Pushed& f) {
+/// The law; springs stand in the rows of four that `row` gives, of those pairs that touch or are `listed`.
+template <NormalLaw law, bool friction, bool listed, class Row>
+JAM_INLINE void push_of(const PairLaw<Lanes>& c, Lanes dt, const double* mbar, const Row& row, const Moving& m,
+                        Booked& booked, ClusterTally& tally, Pushed& out) {
+  const Lanes zero(0.0);
+  const Vec<3, Lanes> none{zero, zero, zero};
+  Vec<3, Lanes> spring = none;
+  if constexpr (friction) spring = vector_of(columns(load_turned(row)));
+  const Vec<3, Lanes> before = spring;
+  const auto f = touch<3, law, friction>(c, m.touch.normal, m.touch.overlap, Lanes::load(mbar), m.v, none, spring, dt);
+  booked.add(m.touching, m.bits, f.damped, f.rubbed, tally);
+  if constexpr (friction) {
+    Columns kept{{zero, zero, zero, zero}};
+    for (int e = 0; e < 3; ++e) kept.c[e] = select(m.touching, spring[e], before[e]);
+    const Rows springs = to_rows(kept);
+    for (std::size_t l = 0; l < width; ++l)
+      if (listed || m.bits >> l & 1) hn::Store(springs.row[l], Tag4(), row(l));
+  }
+  for (int e = 0; e < 3; ++e)
+    out.force[e] = select_or_zero(m.touching, -f.normal * m.touch.normal[e] + f.tangential[e]);
+  out.torque_i = cross(m.lever_i, out.force), out.torque_j = cross(m.lever_j, out.force);
+}
+
+JAM_INLINE void add_push(double* forces, const ArmPairPointers& at, const Pushed& f) {
   const Lanes zero(0.0);
   const Turned force = turned({f.force[0], f.force[1], f.force[2], zero}),
                on_i = turned({f.torque_i[0], f.torque_i[1], f.torque_i[2], zero}),
@@ -115,7 +138,7 @@ inline std::size_t press_loop(const PressArrays& arrays) {
   const PressArrays p = arrays;  // pointers that no store can change
   const std::size_t end = listed ? p.pairs : (p.contacts + width - 1) / width * width;
   const PairLaw<Lanes> c = p.rule->law.as<Lanes>();
-  const Lanes sine2(p.rule->parallel_sine2), dt(p.rule->dt), zero(0.0);
+  const Lanes sine2(p.rule->parallel_sine2), dt(p.rule->dt);
   Lanes excess(-1.0);
   Batch batches[4];
   Met met;
@@ -123,44 +146,29 @@ inline std::size_t press_loop(const PressArrays& arrays) {
   Pushed pushed;
   Booked booked;
   std::size_t touching = 0;
-  const auto vector = [&](std::size_t k) -> Vector {
+  const auto where = [&](std::size_t k) -> ArmPairPointers {
     if constexpr (listed) return {p.i + k, p.j + k, p.arm_i + k, p.arm_j + k, p.mbar + k, nullptr};
     const Batch& b = batches[k / width % 4];
     return {b.i, b.j, b.arm_i, b.arm_j, b.mbar, b.pair};
   };
   for (std::size_t k = 0; k < end + 3 * width; k += width) {
-    if (pushed.bits) add_push(p.forces, vector(k - 3 * width), pushed);
+    if (pushed.bits) add_push(p.forces, where(k - 3 * width), pushed);
     pushed.bits = moving.bits;
     if (moving.bits) {
       const std::size_t from = k - 2 * width;
-      const Vector at = vector(from);
+      const ArmPairPointers at = where(from);
       const auto row = [&](std::size_t l) { return p.springs + 4 * (listed ? from + l : at.pair[l]); };
-      Vec<3, Lanes> spring{zero, zero, zero};
-      if constexpr (friction) spring = vector_of(columns(load_turned(row)));
-      const Vec<3, Lanes> before = spring;
-      const auto f = touch<3, law, friction>(c, moving.touch.normal, moving.touch.overlap, Lanes::load(at.mbar),
-                                             moving.v, Vec<3, Lanes>{zero, zero, zero}, spring, dt);
-      booked.add(moving.touching, moving.bits, f.damped, f.rubbed, *p.tally);
-      if constexpr (friction) {
-        Columns kept{{zero, zero, zero, zero}};
-        for (int e = 0; e < 3; ++e) kept.c[e] = select(moving.touching, spring[e], before[e]);
-        const Rows springs = to_rows(kept);
-        for (std::size_t l = 0; l < width; ++l)
-          if (listed || moving.bits >> l & 1) hn::Store(springs.row[l], Tag4(), row(l));
-      }
-      for (int e = 0; e < 3; ++e)
-        pushed.force[e] = select_or_zero(moving.touching, -f.normal * moving.touch.normal[e] + f.tangential[e]);
-      pushed.torque_i = cross(moving.lever_i, pushed.force), pushed.torque_j = cross(moving.lever_j, pushed.force);
+      push_of<law, friction, listed>(c, dt, at.mbar, row, moving, booked, *p.tally, pushed);
     }
     moving.bits = met.bits;
     if (met.bits) {
-      move(p.rows, vector(k - width), met, moving);
+      move(p.rows, where(k - width), met, moving);
       excess = larger(excess, moving.touch.overlap - smaller(met.arms.r1, met.arms.r2));
     }
     met.bits = 0;
     if (k < end) {
       if constexpr (!listed) batches[k / width % 4].fill(p, k);
-      const Vector at = vector(k);
+      const ArmPairPointers at = where(k);
       const WideArms one = load_arms(p.arms, at.arm_i), two = load_arms(p.arms, at.arm_j);
       approach<parallel>(one.axis, one.radius, two.axis, two.radius, sine2, met.arms);
       met.touching = met.arms.touching();
