@@ -125,7 +125,7 @@ void rebuild_arms(ClusterState& s, const std::vector<ClusterShape>& shapes) {
 }
 
 void refresh(ClusterState& s) {
-  MotionArrays motion = motion_arrays(s, 0);
+  MotionArrays motion = motion_arrays(s, 0, {});
   for (std::size_t k = 0; k < s.count(); ++k) {
     double* row = s.row(k);
     const Vec3 w = spin_of(s, k, vec3(s.momentum.data() + 4 * k));

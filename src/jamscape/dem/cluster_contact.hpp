@@ -7,7 +7,7 @@
 
 namespace jam {
 
-/// Two arms and their closest points.
+/// The closest points of two arms.
 template <class T>
 struct ArmApproach {
   Vec<3, T> d;     ///< from the axis of the first to that of the second
@@ -28,9 +28,9 @@ struct ArmTouch {
   T overlap;
 };
 
-// Results of stages are built in place: wide ones are large.
+// In two steps, for the loops that take them apart; results are built in place, wide ones are large.
 
-/// Arms at an angle of sine^2 below `parallel_sine2` count as parallel.
+/// The closest points; arms at an angle of sine^2 below `parallel_sine2` count as parallel and touch where `rule` says.
 template <ParallelRule rule, class T>
 JAM_INLINE void approach(const Segment<T>& one, T r1, const Segment<T>& two, T r2, T parallel_sine2,
                          ArmApproach<T>& to) {
@@ -47,6 +47,7 @@ JAM_INLINE void approach(const Segment<T>& one, T r1, const Segment<T>& two, T r
   to.r1 = r1, to.r2 = r2;
 }
 
+/// What follows from them.
 template <class T>
 JAM_INLINE void touch_of(const ArmApproach<T>& arms, ArmTouch<T>& touch) {
   const T distance = square_root(arms.distance2);

@@ -128,7 +128,8 @@ void ClusterEngine::compute_forces() {
   ClusterTally tally{};
   const PressRule rule{grain_law_, kind_, parallel_, parallel_sine2_, dt_};
   std::fill(std::begin(tally.excess), std::end(tally.excess), -1.0);
-  if (duplicates_ == DuplicateRule::literal && static_cast<double>(contacts_.count) > most_touch * static_cast<double>(pairs_.size())) {
+  const bool dense = static_cast<double>(contacts_.count) > most_touch * static_cast<double>(pairs_.size());
+  if (dense && duplicates_ == DuplicateRule::literal) {
     contacts_.count = kernels_->press_listed(press_arrays(bodies_, pairs_, contacts_, rule, tally));
   } else {
     contacts_.count = kernels_->collect(collect_arrays(bodies_, pairs_, contacts_));
@@ -194,8 +195,7 @@ void ClusterEngine::touch_walls() {
 }
 
 void ClusterEngine::advance() {
-  MotionArrays motion = motion_arrays(bodies_, dt_);
-  for (int c = 0; c < 3; ++c) motion.gravity[c] = gravity_[c];
+  MotionArrays motion = motion_arrays(bodies_, dt_, gravity_);
   kernels_->integrate(motion);
   gravity_work_ += motion.power * dt_;
   double fastest_wall = 0;

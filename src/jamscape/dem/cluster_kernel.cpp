@@ -64,7 +64,7 @@ PressArrays press_arrays(ClusterState& b, ArmPairs& p, ArmContacts& c, const Pre
           .tally = &tally};
 }
 
-MotionArrays motion_arrays(ClusterState& b, double dt) {
+MotionArrays motion_arrays(ClusterState& b, double dt, const Vec3& gravity) {
   return {.rows = b.rows.data(),
           .arms = b.arms.data(),
           .forces = b.forces.data(),
@@ -79,7 +79,7 @@ MotionArrays motion_arrays(ClusterState& b, double dt) {
           .first_own = b.first_own.data(),
           .count = b.count(),
           .dt = dt,
-          .gravity = {},
+          .gravity = {gravity[0], gravity[1], gravity[2], 0},
           .centred = b.centred,
           .power = 0,
           .outrun = false};

@@ -4,7 +4,8 @@
 //   collect       reads arms and pairs; writes which pairs touch
 //   press         reads arms, rows, pairs and what was collected; reads and writes springs, forces, the tally
 //   press_listed  both in one, over all listed pairs: faster where most of them touch
-//   integrate     reads forces, inverse inertias, own arms; adds weights; reads and writes rows and momenta; writes arms;
+//   integrate     reads forces, inverse inertias, own arms; adds weights; reads and writes rows and momenta; writes
+//   arms;
 //                 clears forces
 //
 // Order of sums: the forces of the c-th touching pair are added to its first body, then to its second, for c = 0, 1, 2,
@@ -62,6 +63,7 @@ JAM_INLINE void with_rule(const PressRule& rule, F&& f) {
 // Bare arrays (see ClusterState, ArmPairs, ArmContacts): code built for a wider vector must not lend its copies of
 // library functions to the rest of the program.
 
+/// Pairs of arms to be tested for the list.
 struct NearArms {
   const double* arms;
   const std::uint32_t *arm_i, *arm_j;  ///< candidates
@@ -99,16 +101,16 @@ struct MotionArrays {
   const std::uint32_t *first_arm, *first_own;
   std::size_t count;
   double dt;
-  alignas(32) double gravity[4] = {};
+  alignas(32) double gravity[4];  ///< acceleration, and 0
   bool centred;
-  double power = 0;  ///< out: of gravity
-  bool outrun;       ///< out: a body has moved farther than its skin
+  double power;  ///< out: of gravity, at the velocities that the forces saw
+  bool outrun;   ///< out: a body has moved farther than its skin
 };
 
 CollectArrays collect_arrays(const ClusterState& bodies, const ArmPairs& pairs, ArmContacts& out);
 PressArrays press_arrays(ClusterState& bodies, ArmPairs& pairs, ArmContacts& contacts, const PressRule& rule,
                          ClusterTally& tally);
-MotionArrays motion_arrays(ClusterState& bodies, double dt);
+MotionArrays motion_arrays(ClusterState& bodies, double dt, const Vec3& gravity);
 
 /// One implementation, named by its vector width.
 struct ClusterKernels {

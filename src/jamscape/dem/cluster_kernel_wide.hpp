@@ -1,6 +1,7 @@
 // The passes of clusters for vectors of four or eight. Included by one file per vector width.
 #pragma once
 
+#include "jamscape/dem/cluster_near_wide.hpp"
 #include "jamscape/dem/cluster_press_wide.hpp"
 #include "jamscape/dem/cluster_turn_wide.hpp"
 

@@ -54,6 +54,7 @@ class ArmSearch {
         if (++count_ == room) sift();
       }
   }
+  /// Takes the near ones of what has been looked at into the list.
   void sift() {
     const std::size_t blocks = (count_ + block - 1) / block * block;
     for (std::size_t q = count_; q < blocks; ++q) arm_i_[q] = far_, arm_j_[q] = far_ + 1, skin_[q] = 0;
@@ -112,7 +113,7 @@ ArmPairs list_arm_pairs(const ClusterState& s, const ArmPairs& old, const std::v
   const Periodic<3> open{};
   const Aligned<double> shifts = image_shifts(open);
   const CellGrid<3> grid(spheres, open, cell_width(s, 2 * widest));
-  PairSearch<3> search(grid, shifts, 0, best_kernels());
+  PairSearch<3> search(grid, shifts, 0, best_kernels());  // all kernels find the same
   ArmSearch arms(s, kernels, list);
   std::vector<std::uint32_t> partners;
   for (std::uint32_t a = 0; a < s.count(); ++a) {

@@ -124,7 +124,7 @@ inline FrameRows rows_of(const Frame<double>& f) {
 /// numbers, r and h, come along. `centred`: the arms' centres are the body's.
 template <bool centred>
 JAM_INLINE void place_arms(const double* row, const FrameRows& f, const double* own, double scale, double* arms,
-                std::size_t count) {
+                           std::size_t count) {
   const auto with_fourth = [](Four a, Four b) { return __builtin_shufflevector(a, b, 0, 1, 2, 7); };
   const Four x = four(row);
   for (std::size_t a = 0; a < count; ++a, own += ClusterRow::arm_stride, arms += ClusterRow::arm_stride) {

@@ -1,29 +1,12 @@
-// Which arm pairs touch or are near, four or eight at a time. Rows of arms are loaded whole and transposed in registers.
-// Included by one file per vector width.
+// Which arm pairs touch or are near, four or eight at a time. Included by one file per vector width.
 #pragma once
 
 #include <bit>
 
-#include "jamscape/dem/cluster_contact.hpp"
 #include "jamscape/dem/cluster_kernel.hpp"
-#include "jamscape/geometry/lanes.hpp"
+#include "jamscape/dem/cluster_rows_wide.hpp"
 
 namespace jam::HWY_NAMESPACE::clusters {
-
-inline constexpr std::size_t width = static_cast<std::size_t>(Lanes::width);
-using R = ClusterRow;
-
-struct WideArms {
-  Segment<Lanes> axis;
-  Lanes radius;
-};
-
-JAM_INLINE Vec<3, Lanes> vector_of(const Columns& x) { return {x.c[0], x.c[1], x.c[2]}; }
-
-JAM_INLINE WideArms load_arms(const double* arms, const std::uint32_t* index) {
-  const Columns c = load_rows(arms, index, R::arm_stride), u = load_rows(arms + 4, index, R::arm_stride);
-  return {{vector_of(c), vector_of(u), u.c[3]}, c.c[3]};
-}
 
 /// Which of `width` pairs are nearer than their radii and `skin`, as bits.
 JAM_INLINE std::uint32_t near_bits(const double* arms, const std::uint32_t* arm_i, const std::uint32_t* arm_j,

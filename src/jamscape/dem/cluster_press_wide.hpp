@@ -1,9 +1,13 @@
-// The contact loop of clusters for vectors of four or eight arm pairs: of all listed ones where most of them touch, or of
-// those collected. Forces are transposed in registers and added row by row in the order of the plain loop. Included by one
-// file per vector width.
+// The contact loop of clusters for vectors of four or eight arm pairs: of all listed ones where most of them touch, or
+// of those collected. Forces are transposed in registers and added row by row in the order of the plain loop. Included
+// by one file per vector width.
 #pragma once
 
-#include "jamscape/dem/cluster_near_wide.hpp"
+#include <bit>
+
+#include "jamscape/dem/cluster_contact.hpp"
+#include "jamscape/dem/cluster_kernel.hpp"
+#include "jamscape/dem/cluster_rows_wide.hpp"
 
 namespace jam::HWY_NAMESPACE::clusters {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "jamscape/dem/cluster_motion.hpp"
-#include "jamscape/dem/cluster_near_wide.hpp"
+#include "jamscape/dem/cluster_rows_wide.hpp"
 
 namespace jam::HWY_NAMESPACE::clusters {
 

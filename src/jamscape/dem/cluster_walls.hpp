@@ -47,8 +47,7 @@ inline double tip(const double* arm, int end, int c) { return arm[c] + (end == 0
 /// Of an end with a wall; above 0 where they touch.
 inline double wall_overlap(const ClusterWall& wall, const double* arm, int end) {
   const double r = arm[3];
-  if (wall.kind == WallKind::plane)
-    return r - (wall.high ? -1.0 : 1.0) * (tip(arm, end, wall.axis) - wall.position);
+  if (wall.kind == WallKind::plane) return r - (wall.high ? -1.0 : 1.0) * (tip(arm, end, wall.axis) - wall.position);
   Vec3 out;
   for (int c = 0; c < 3; ++c) out[c] = c == wall.axis ? 0 : tip(arm, end, c) - wall.centre[c];
   return norm(out) + r - wall.radius;

@@ -43,8 +43,8 @@ JAM_INLINE void to_starts(const std::uint32_t* bodies, std::uint32_t* starts) {
   hn::Store(hn::ShiftLeft<std::countr_zero(start_step<D>)>(hn::Load(d, bodies)), d, starts);
 }
 
-/// Stages: distances, relative motion, law, sums. In each turn every stage has one vector, the oldest first, so that none
-/// waits for another and what is handed on has one place. Results of a stage are built in place: they are large.
+/// Stages: distances, relative motion, law, sums. In each turn every stage has one vector, the oldest first, so that
+/// none waits for another and what is handed on has one place. Results of a stage are built in place: they are large.
 template <int D, NormalLaw law, bool friction, bool shifted>
 void dense_loop(const PairArrays& arrays, const PairRange& range, const PairLaw<Lanes>& c, WideTally& tally) {
   constexpr std::uint32_t all = (1u << width) - 1;

@@ -31,8 +31,7 @@ void pairs(const PairArrays& p, const PairRange& range) {
 }
 
 constexpr Kernels kernels_named(const char* name) {
-  return {name,    pairs<2>,  pairs<3>,  watch<2>, watch<3>, near<2>,
-          near<3>, verlet<2>, verlet<3>, gear<2>,  gear<3>};
+  return {name, pairs<2>, pairs<3>, watch<2>, watch<3>, near<2>, near<3>, verlet<2>, verlet<3>, gear<2>, gear<3>};
 }
 
 }  // namespace jam::HWY_NAMESPACE

@@ -1,5 +1,5 @@
-// What the contact loops do to a vector of four or eight pairs: distances, relative motion, law, sums. Rows of bodies are
-// loaded whole and transposed in registers, forces transposed back and added row by row: no gathers, no scatter
+// What the contact loops do to a vector of four or eight pairs: distances, relative motion, law, sums. Rows of bodies
+// are loaded whole and transposed in registers, forces transposed back and added row by row: no gathers, no scatter
 // conflicts, and the order of sums of the plain loop. Included by one file per vector width.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The contact loop over pairs few of which touch: the watched ones are tested, and those that touch collected, in order,
-// to go through eight at a time. Included by one file per vector width.
+// The contact loop over pairs few of which touch: the watched ones are tested, and those that touch collected, in
+// order, to go through eight at a time. Included by one file per vector width.
 #pragma once
 
 #include <bit>

@@ -29,7 +29,7 @@ struct Scene {
     Random random(seed, "kernels", 0, "scene");
     rows.assign((bodies + 2) * R::stride, 0.0);
     forces.assign((bodies + 2) * R::force_stride, 0.0);
-    const double side = D == 2 ? 3 : 2;  // crowded: half of the pairs touch
+    const double side = D == 2 ? 3 : 2;  // crowded, so that many pairs touch
     for (std::size_t k = 0; k < bodies; ++k) {
       double* row = rows.data() + k * R::stride;
       for (std::size_t c = 0; c < D; ++c)
