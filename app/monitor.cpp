@@ -17,7 +17,9 @@ constexpr double json_interval = 10;  // seconds between lines of progress
 
 Monitor::Monitor(const Study& study, const std::vector<Task>& tasks, const std::vector<std::size_t>& mine, Show show,
                  std::FILE* out)
-    : study_(study), tasks_(tasks), mine_(mine), show_(show), out_(out), states_(tasks.size()) {}
+    : study_(study), tasks_(tasks), mine_(mine), show_(show), out_(out), states_(tasks.size()) {
+  for (std::size_t k = 0; k < tasks.size(); ++k) states_[k].steps = tasks[k].plan.steps;
+}
 
 Monitor::~Monitor() {
   if (bar_drawn_) fmt::print(out_, "\r\033[K");
@@ -58,12 +60,9 @@ void Monitor::started(std::size_t task, bool resumed) {
 void Monitor::progress(std::size_t task, const Progress& progress) {
   const std::lock_guard lock(mutex_);
   State& s = states_[task];
-  s.step = progress.step;
+  s.step = progress.step, s.steps = progress.steps;
   s.packing_fraction = progress.packing_fraction;
-  // A plan with relaxations only guesses its steps.
-  s.part =
-      progress.steps > 0 ? std::min(0.99, static_cast<double>(progress.step) / static_cast<double>(progress.steps)) : 0;
-  if (!s.seen) s.part_found = s.resumed ? s.part : 0;
+  if (!s.seen && s.resumed) s.found = s.step;
   s.seen = true;
 }
 
@@ -71,9 +70,10 @@ void Monitor::measuring(std::size_t task) {
   const std::lock_guard lock(mutex_);
   State& s = states_[task];
   const bool simulated = s.phase == Phase::simulating && !s.resumed;
-  if (!s.seen && !simulated) s.part_found = 1;
+  if (s.seen) s.steps = s.step;
+  if (!s.seen && !simulated) s.found = s.steps;
+  s.step = s.steps;
   s.phase = Phase::measuring;
-  s.part = 1;
 }
 
 void Monitor::warned(std::size_t task, const std::string& reason) {
@@ -90,8 +90,8 @@ void Monitor::finished(std::size_t task, bool simulated) {
 void Monitor::failed(std::size_t task, const std::string& reason) {
   const std::lock_guard lock(mutex_);
   State& s = states_[task];
-  s.part_found += 1 - s.part;  // what it did not do is behind us too, but was not gained
-  s.part = 1;
+  s.found += s.steps - s.step;  // what it did not do is behind us too, but was not gained
+  s.step = s.steps;
   s.phase = Phase::ended;
   ++failures_;
   event(task, "failed", reason);
@@ -99,7 +99,9 @@ void Monitor::failed(std::size_t task, const std::string& reason) {
 
 void Monitor::skipped(std::size_t task) {
   const std::lock_guard lock(mutex_);
-  states_[task] = {Phase::ended, 1, 1, 0, 0, true, false};
+  State& s = states_[task];
+  s.step = s.found = s.steps;
+  s.phase = Phase::ended;
   event(task, "skipped", "another process works on it");
 }
 
@@ -109,10 +111,10 @@ Monitor::Totals Monitor::totals() {
   t.lowest = 1e9;
   for (const std::size_t k : mine_) {
     const State& s = states_[k];
-    const double cost = tasks_[k].cost();
-    t.cost += cost;
-    t.behind += cost * s.part;
-    t.gained += cost * (s.part - s.part_found);
+    const auto bodies = static_cast<double>(tasks_[k].plan.bodies);
+    t.cost += bodies * static_cast<double>(s.steps);
+    t.behind += bodies * static_cast<double>(s.step);
+    t.gained += bodies * static_cast<double>(s.step - s.found);
     t.ended += s.phase == Phase::ended;
     t.running += s.phase == Phase::simulating || s.phase == Phase::measuring;
     if (s.phase != Phase::simulating || !s.seen) continue;
@@ -158,7 +160,7 @@ void Monitor::print_json(const Totals& t) {
     if (const State& s = states_[k]; s.phase == Phase::simulating && s.seen)
       json["runs"].push_back({{"task", tasks_[k].hash},
                               {"step", s.step},
-                              {"steps", tasks_[k].plan.steps},
+                              {"steps", s.steps},
                               {"packing_fraction", s.packing_fraction}});
   line(json.dump());
 }

@@ -36,15 +36,15 @@ class Monitor : public RunListener {
   enum class Phase { waiting, simulating, measuring, ended };
   struct State {
     Phase phase = Phase::waiting;
-    double part = 0;        ///< of its cost that is behind us
-    double part_found = 0;  ///< of that, what was there when it started
+    std::int64_t step = 0;   ///< the last one seen
+    std::int64_t steps = 0;  ///< of the whole run, as far as is known: the plan guesses how long grains settle and relax
+    std::int64_t found = 0;  ///< those that were there when it started
     double packing_fraction = 0;
-    std::int64_t step = 0;
     bool seen = false;
     bool resumed = false;
   };
   struct Totals {
-    double cost = 0, behind = 0, gained = 0;
+    double cost = 0, behind = 0, gained = 0;  ///< grain-steps
     std::size_t ended = 0, running = 0, tasks = 0;
     double lowest = 0, highest = 0;  ///< packing fractions of running tasks
     double rate = 0, seconds_left = -1;

@@ -32,8 +32,8 @@ struct RunArguments {
 
 /// What a simple estimate takes for granted until the run itself measures: grain-steps a second of one core.
 double assumed_rate(const SystemOptions& system) {
-  if (is_container(system.domain.walls)) return system.domain.dimension == 2 ? 1e7 : 6e6;
-  return 5e7;
+  if (is_container(system.domain.walls)) return system.domain.dimension == 2 ? 1e7 : 9e6;
+  return 1e8;
 }
 
 ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunArguments& a, int jobs) {

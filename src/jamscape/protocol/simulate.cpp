@@ -134,8 +134,9 @@ class Run {
 
   /// Of the whole protocol, as far as it can be known now.
   std::int64_t expected_steps() const {
-    std::int64_t steps = leg_begin_;
-    for (std::size_t l = leg_; l < table_.legs.size(); ++l) steps += table_.legs[l].steps;
+    std::int64_t steps = engine_.step();
+    if (leg_ < table_.legs.size()) steps = std::max(steps, leg_begin_ + table_.legs[leg_].steps);
+    for (std::size_t l = leg_ + 1; l < table_.legs.size(); ++l) steps += table_.legs[l].steps;
     return steps;
   }
 

@@ -41,7 +41,7 @@ struct PlannedFrame {
 };
 
 struct Plan {
-  std::int64_t steps = 0;   ///< of the whole protocol; relaxations are guessed at two windows
+  std::int64_t steps = 0;   ///< of the whole protocol; how long grains settle, relax and are pressed is guessed
   std::int64_t bodies = 0;  ///< grains
   std::vector<PlannedFrame> frames;
 };
