@@ -158,10 +158,8 @@ void Monitor::print_json(const Totals& t) {
   if (t.seconds_left >= 0) json["seconds_left"] = t.seconds_left;
   for (const std::size_t k : mine_)
     if (const State& s = states_[k]; s.phase == Phase::simulating && s.seen)
-      json["runs"].push_back({{"task", tasks_[k].hash},
-                              {"step", s.step},
-                              {"steps", s.steps},
-                              {"packing_fraction", s.packing_fraction}});
+      json["runs"].push_back(
+          {{"task", tasks_[k].hash}, {"step", s.step}, {"steps", s.steps}, {"packing_fraction", s.packing_fraction}});
   line(json.dump());
 }
 
