@@ -1,11 +1,13 @@
 """Running the program in a folder of its own."""
 
 import filecmp
+import glob
 import os
 import pathlib
 import shutil
 import subprocess
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.environ["JAMSCAPE"]
@@ -66,6 +68,21 @@ class Case(unittest.TestCase):
     def start(self, *arguments):
         return subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                 text=True)
+
+    def wait_for(self, process, condition):
+        """Until the condition holds or the process has ended."""
+        while process.poll() is None and not condition():
+            time.sleep(0.001)
+
+    def count(self, pattern, folder):
+        """Files; folders may vanish meanwhile (pathlib's glob would throw)."""
+        return len(glob.glob(pattern, root_dir=self.folder / folder))
+
+    def frames(self, out):
+        return self.count("tasks/*/frames/*.h5", out)
+
+    def checkpoints(self, out):
+        return self.count("tasks/*/checkpoint.h5", out)
 
     def files(self, folder):
         base = self.folder / folder

@@ -123,11 +123,10 @@ class Relaxation(Case):
         self.assertNotIn("error", again.stderr)
 
     def test_frames_damaged_before_the_end_are_set_aside(self):
-        slow = ["--set", "stage.steps.speed=1e-4", "--set", "study.realisations=1"]
+        slow = ["--set", "stage.steps.speed=3e-5", "--set", "study.realisations=1"]
         process = self.start("run", "relaxing.toml", "--out", "out", "--quiet", "--checkpoint", "0.02", "--jobs", "1", *slow)
         frames = self.folder / "out"
-        while process.poll() is None and len(list(frames.glob("tasks/*/frames/*.h5"))) < 3:
-            pass
+        self.wait_for(process, lambda: self.frames("out") >= 3)
         process.terminate()
         process.communicate()
         damaged = sorted(frames.glob("tasks/*/frames/000001.h5"))

@@ -20,17 +20,6 @@ class Resume(Case):
     def whole(self):
         self.program("run", "slow.toml", "--out", "whole", "--quiet")
 
-    def wait_for(self, process, condition):
-        """Until the condition holds or the process has ended."""
-        while process.poll() is None and not condition():
-            time.sleep(0.005)
-
-    def frames(self, out):
-        return len(list((self.folder / out).glob("tasks/*/frames/*.h5")))
-
-    def checkpoints(self, out):
-        return len(list((self.folder / out).glob("tasks/*/checkpoint.h5")))
-
     def test_killed_again_and_again(self):
         self.whole()
         rng = random.Random(1)
