@@ -146,7 +146,8 @@ class ContainerWriter {
     if (stage.kind == StageKind::settle) {
       const double g = system_.domain.gravity;
       if (!(g > 0))
-        throw usage_error("stage." + name + ".kind: nothing settles without gravity", {}, "domain.gravity = \"9.81 m/s^2\"");
+        throw usage_error("stage." + name + ".kind: nothing settles without gravity", {},
+                          "domain.gravity = \"9.81 m/s^2\"");
       const double time = stage.settle_times * std::sqrt(2 * height_ / g);
       leg.steps = steps_for(time, dt);
       if (stage.settle_until == SettleUntil::rest) {
@@ -181,7 +182,7 @@ class ContainerWriter {
 
  private:
   // Guesses, from S3's systems (validation/): at rest after 1.2 to 1.6 times the fall (nearly round stars in a cylinder
-  // never are, and take the budget); the lid goes .002 to .03 of the height, above 1 m .015.
+  // never are, and take the budget); the lid goes .001 to .03 of the height.
   static constexpr double falls_to_rest = 1.3, lid_travel = 0.01;
 
   const SystemOptions& system_;
