@@ -12,6 +12,7 @@
 #include "jamscape/base/progress.hpp"
 #include "jamscape/base/stop_signal.hpp"
 #include "jamscape/base/threads.hpp"
+#include "jamscape/study/advice.hpp"
 #include "jamscape/study/measure_task.hpp"
 #include "jamscape/study/results.hpp"
 #include "monitor.hpp"
@@ -55,12 +56,17 @@ ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunAr
       fmt::print("{}  {:24}  realisation {:3}  {:6} grains  {:10} steps  {:4} frames\n", t.hash, system, t.realisation,
                  t.plan.bodies, t.plan.steps, t.plan.frames.size());
   }
+  const std::vector<std::string> said = advice(study, tasks);
   const double seconds = core_seconds / std::max(1, std::min(jobs, static_cast<int>(order.size())));
   if (a.json)
-    fmt::print("{}\n", nlohmann::json{{"tasks", list}, {"grain_steps", cost}, {"seconds_estimated", seconds}}.dump());
+    fmt::print(
+        "{}\n",
+        nlohmann::json{{"tasks", list}, {"grain_steps", cost}, {"seconds_estimated", seconds}, {"notes", said}}.dump());
   else
     fmt::print("{} runs, {:.2g} grain-steps, roughly {} on {} cores; nothing was run\n", order.size(), cost,
                print_duration(seconds), jobs);
+  if (!a.json)
+    for (const std::string& text : said) fmt::print("note: {}\n", text);
   return ExitCode::done;
 }
 

@@ -97,14 +97,115 @@ TEST(Steps, stand_on_a_grid_that_ends_at_the_last_packing_fraction) {
   for (const PlannedFrame& f : t.plan.frames)
     if (f.relaxed) relaxed.push_back(f.packing_fraction);
   const std::size_t n = relaxed.size();
-  ASSERT_GE(n, 5u);  // ..., .79, .83, .87, as far down as the box begins
-  for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(relaxed[n - 1 - k], 0.87 - 0.04 * static_cast<double>(k), 1e-9);
-  const StartBox box = start_box(climbing(2), draw_diameters(climbing(2).grains, {1, "grid", 0}));
-  EXPECT_LT(relaxed[0] - 0.04, box.measure.packing_fraction(box.length));
+  EXPECT_EQ(relaxed, (std::vector<double>{0.71, 0.75, 0.79, 0.83, 0.87})) << "as far down as start.packing_fraction";
   EXPECT_EQ(t.legs.size(), 2 * n);
   EXPECT_EQ(t.plan.frames.size(), 3 * n);
   EXPECT_GE(t.plan.frames[1].step, 0);
   EXPECT_EQ(t.plan.frames[2].step, -1) << "not known before the relaxation has ended";
+}
+
+// The lattice of wide sizes begins below start.packing_fraction, in each realisation elsewhere.
+TEST(Frames, lie_on_one_grid_of_exact_decimals_in_all_realisations) {
+  for (const WallModel walls : {WallModel::beads, WallModel::flat, WallModel::periodic})
+    for (const StageKind kind : {StageKind::compress, StageKind::steps, StageKind::relax}) {
+      SystemOptions s = climbing(2);
+      s.domain.walls = walls;
+      s.start.packing_fraction = 0.64;
+      s.grains.width = 1.2;
+      StageOptions last = s.stages[0];
+      last.kind = kind == StageKind::relax ? StageKind::compress : kind;
+      last.to = 0.8;
+      last.increment = 0.02;
+      last.frames = kind == StageKind::steps ? 0 : 9;
+      last.frames_inside = 0;
+      s.stages = {last};
+      if (kind == StageKind::relax) {
+        s.stages.insert(s.stages.begin(), last);
+        s.stages[0].name = "rest", s.stages[0].kind = kind, s.stages[0].frames = 0;
+      }
+      std::vector<double> starts;
+      for (std::uint64_t r = 0; r < 4; ++r) {
+        const Plan p = plan(s, {1, "grid", r});
+        std::vector<double> at;
+        for (const PlannedFrame& f : p.frames) at.push_back(f.packing_fraction);
+        std::vector<double> grid = {0.66, 0.68, 0.7, 0.72, 0.74, 0.76, 0.78, 0.8};
+        if (kind != StageKind::steps) grid.insert(grid.begin(), 0.64);
+        if (kind == StageKind::relax) grid.insert(grid.begin(), 0.64);
+        EXPECT_EQ(at, grid);
+        EXPECT_LT(p.start, 0.64);
+        starts.push_back(p.start);
+      }
+      EXPECT_NE(starts[0], starts[1]);
+    }
+}
+
+TEST(Frames, below_the_start_asked_for_are_refused_with_a_start_that_would_do) {
+  SystemOptions s = climbing(3);
+  s.start.packing_fraction = 0.6;
+  s.stages[0].to = 0.5;
+  try {
+    plan(s, {1, "grid", 0});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(e.suggestion().find("start.packing_fraction = 0."), std::string::npos) << e.suggestion();
+  }
+  s.stages[0].kind = StageKind::compress;
+  s.stages[0].frames_inside = 0;
+  EXPECT_EQ(plan(s, {1, "grid", 0}).frames.size(), 0u) << "an approach may end below it";
+}
+
+TEST(Relaxation, rest_by_the_kinetic_energy_is_judged_by_the_forces_too) {
+  Relaxation r({.window = 1500, .fluctuation = 0.1, .energy = 0, .windows = 10, .unbalanced = 0.01});
+  int asked = 0;
+  for (int k = 0; k < 400 && r.ended().empty(); ++k) {
+    r.add_sample(1, 1);
+    if (!r.wants_forces()) continue;
+    EXPECT_TRUE(r.ended().empty());
+    r.judge_forces(++asked < 4 ? 0.5 : 0.009);
+  }
+  EXPECT_EQ(asked, 4);
+  EXPECT_EQ(r.ended(), relaxed_fluctuation);
+  Relaxation never({.window = 1500, .fluctuation = 0.1, .energy = 0, .windows = 2, .unbalanced = 0.01});
+  while (never.ended().empty()) {
+    never.add_sample(1, 1);
+    if (never.wants_forces()) never.judge_forces(1);
+  }
+  EXPECT_EQ(never.ended(), not_relaxed);
+}
+
+// Kept, the drift of the start was 99.99 % of the kinetic energy in the end.
+TEST(Relaxation, a_periodic_box_has_no_drift_and_comes_to_rest) {
+  for (const int dimension : {2, 3}) {
+    SystemOptions s = climbing(dimension);
+    s.domain.walls = WallModel::periodic;
+    s.stages[0].frames_inside = 0;
+    s.stages[0].to = s.start.packing_fraction = dimension == 2 ? 0.7 : 0.5;
+    s.stages[0].kind = StageKind::compress;
+    StageOptions rise = s.stages[0];
+    rise.name = "rise", rise.to = dimension == 2 ? 0.88 : 0.68;
+    StageOptions rest = s.stages[0];
+    rest.name = "rest", rest.kind = StageKind::relax;
+    rest.relax = {.window = 5000, .fluctuation = 0, .energy = 1e-6, .windows = 40};
+    s.stages.push_back(rise), s.stages.push_back(rest);
+    Packing end;
+    Hooks hooks;
+    hooks.frame = [&](std::size_t, const Packing& p) { end = p; };
+    ASSERT_EQ(simulate(s, {3, "drift", 0}, hooks), Outcome::finished);
+    EXPECT_EQ(end.relaxation, relaxed_energy) << dimension;
+    Vec3 momentum{};
+    double mass = 0;
+    for (std::size_t k = 0; k < end.grains.size(); ++k)
+      momentum += end.grains.mass[k] * end.grains.velocity[k], mass += end.grains.mass[k];
+    EXPECT_LT(norm(momentum) / mass, 1e-12);
+  }
+}
+
+TEST(Relaxation, gravity_is_refused_where_grains_would_fall_for_ever) {
+  SystemOptions s = climbing(2);
+  s.domain.gravity = 1e-3;
+  EXPECT_NO_THROW(check_start(s)) << "flat walls";
+  s.domain.walls = WallModel::periodic;
+  EXPECT_THROW(check_start(s), Error);
 }
 
 TEST(Steps, relaxed_frames_stand_still_and_say_how_they_got_there) {

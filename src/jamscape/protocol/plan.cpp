@@ -1,7 +1,10 @@
 #include "jamscape/protocol/plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "jamscape/base/error.hpp"
@@ -16,6 +19,15 @@ std::string number(double a) {
   s.erase(s.find_last_not_of('0') + 1);
   return s.back() == '.' ? s + "0" : s;
 }
+
+/// The decimal number that was meant where arithmetic left the last digits of one (.68 for .6799999999999999).
+double decimal(double a) {
+  const double meant = std::strtod(fmt::format("{:.12g}", a).c_str(), nullptr);
+  return std::abs(meant - a) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(a) ? meant : a;
+}
+
+/// Three digits, rounded down.
+std::string below(double a) { return fmt::format("{}", decimal(std::floor(a * 1000) / 1000)); }
 
 /// Kinetic energies level off within two windows; where only their size counts, the budget is what most runs need.
 std::int64_t guess_relaxation(const RelaxOptions& o) {
@@ -46,8 +58,14 @@ void refuse_frames(const StageOptions& stage, const std::string& name) {
 /// Appends legs and frames of a box that shrinks, stage after stage.
 class BoxWriter {
  public:
-  BoxWriter(const StartBox& box, double dt)
-      : dt_(dt), box_(box.measure), length_(box.length), reached_(box_.packing_fraction(length_)) {}
+  /// Stages count from start.packing_fraction where the lattice of this realisation begins below it, too: frames and
+  /// steps lie on one grid in all realisations, and the first stage closes the rest of the way by itself.
+  BoxWriter(const StartBox& box, const SystemOptions& system)
+      : dt_(system.integrator.step), box_(box.measure), length_(box.length), reached_(system.start.packing_fraction) {
+    table.plan.start = box_.packing_fraction(length_);
+    for (const StageOptions& stage : system.stages)
+      if (speed_ == 0 && stage.kind != StageKind::relax) speed_ = stage.speed;
+  }
 
   Timetable table;
 
@@ -57,26 +75,35 @@ class BoxWriter {
       refuse_kind(stage, name, "a box that shrinks", "domain.walls = \"box\" or \"cylinder\" is a container");
     if (stage.kind != StageKind::compress) refuse_frames(stage, name);
     if (stage.kind == StageKind::relax) return relax();
-    if (reached_ > stage.to + 1e-9)
+    const double fraction = box_.packing_fraction(length_);
+    if (fraction > stage.to + 1e-9 || (reached_ > stage.to + 1e-9 && (!at_start() || on_grid(stage))))
       throw usage_error("stage." + name + ".to = " + number(stage.to) + " is below the packing fraction " +
-                            number(reached_) + " the stage starts from",
-                        {}, "a larger `to`, or a smaller start.packing_fraction");
+                            number(fraction > stage.to + 1e-9 ? fraction : reached_) + " the stage starts from",
+                        {},
+                        fraction > stage.to + 1e-9 ? "a larger `to`, or a smaller start.packing_fraction"
+                                                   : "a larger `to`, or start.packing_fraction = " + below(fraction) +
+                                                         ", which the start reaches");
     stage.kind == StageKind::steps ? climb() : compress(stage.to, frames_of_compression());
   }
 
  private:
+  bool at_start() const { return table.legs.empty(); }
+  /// Frames or steps are counted from where the stage begins.
+  static bool on_grid(const StageOptions& stage) { return stage.kind == StageKind::steps || stage.frames > 1; }
+
   /// The packing fractions of the frames of a compress stage, in order.
   std::vector<double> frames_of_compression() const {
     std::vector<double> at;
     const double from = std::min(reached_, stage_->to), to = stage_->to;
+    const double lowest = std::min(from, box_.packing_fraction(length_));
     for (std::int64_t f = 0; f < stage_->frames; ++f)
       at.push_back(stage_->frames == 1
                        ? to
                        : from + (to - from) * static_cast<double>(f) / static_cast<double>(stage_->frames - 1));
     for (const double rho : stage_->frames_at) {
-      if (rho < from - 1e-9 || rho > to + 1e-9)
+      if (rho < lowest - 1e-9 || rho > to + 1e-9)
         throw usage_error("stage." + name_ + ".frames_at: " + number(rho) +
-                              " lies outside the stage, which goes from " + number(from) + " to " + number(to),
+                              " lies outside the stage, which goes from " + number(lowest) + " to " + number(to),
                           {}, "only packing fractions between the two");
       at.push_back(rho);
     }
@@ -85,21 +112,31 @@ class BoxWriter {
     return at;
   }
 
-  void compress(double to, const std::vector<double>& frames) {
-    const double closing = 2 * stage_->speed * dt_;
+  void compress(double to, const std::vector<double>& frames) { compress(to, frames, stage_->speed); }
+
+  void compress(double to, const std::vector<double>& frames, double speed) {
+    const double closing = 2 * speed * dt_;
     const std::int64_t steps = steps_for(length_ - box_.length(to), closing);
     for (const double rho : frames)
       add_frame(rho, std::min(steps, steps_for(length_ - box_.length(rho), closing)), false);
-    table.legs.push_back({name_, LegKind::move, stage_->speed, steps});
+    table.legs.push_back({name_, LegKind::move, speed, steps});
     table.plan.steps += steps;
     length_ -= closing * static_cast<double>(steps);
     reached_ = to;
   }
 
   void relax() {
+    if (at_start() && reached_ > box_.packing_fraction(length_) + 1e-9) {
+      if (speed_ > 0)
+        compress(reached_, {}, speed_);
+      else
+        reached_ = box_.packing_fraction(length_);
+    }
     add_frame(reached_, 0, true);
     const std::int64_t guess = guess_relaxation(stage_->relax);
-    table.legs.push_back({name_, LegKind::relax, 0, guess, stage_->relax});
+    Leg leg{name_, LegKind::relax, 0, guess, stage_->relax};
+    if (leg.relax.unbalanced < 0) leg.relax.unbalanced = box_.walls == WallModel::periodic ? balanced : 0;
+    table.legs.push_back(leg);
     table.plan.steps += guess;
     clock_known_ = false;
   }
@@ -118,13 +155,16 @@ class BoxWriter {
 
   void add_frame(double rho, std::int64_t offset, bool relaxed) {
     const bool known = clock_known_ && !relaxed;
-    table.plan.frames.push_back({name_, rho, known ? table.plan.steps + offset : -1, relaxed});
+    table.plan.frames.push_back({name_, decimal(rho), known ? table.plan.steps + offset : -1, relaxed});
     table.places.push_back({table.legs.size(), offset});
   }
 
+  static constexpr double balanced = 0.01;  ///< unbalanced part of a packing at rest
+
   double dt_;
   BoxMeasure box_;
-  double length_, reached_ = 0;
+  double length_, reached_;
+  double speed_ = 0;         ///< of the first stage that moves
   bool clock_known_ = true;  ///< no relaxation so far
   const StageOptions* stage_ = nullptr;
   std::string name_;
@@ -204,7 +244,7 @@ Timetable timetable(const SystemOptions& system, const TaskKey& key) {
     throw usage_error("the study has no stage", {}, "add a [[stage]] table, e.g. kind = \"compress\", to = 0.9");
   if (is_container(system.domain.walls))
     return write_all(ContainerWriter(system, cluster_room(system, key).height), system);
-  return write_all(BoxWriter(start_box(system, draw_diameters(system.grains, key)), system.integrator.step), system);
+  return write_all(BoxWriter(start_box(system, draw_diameters(system.grains, key)), system), system);
 }
 
 Plan plan(const SystemOptions& system, const TaskKey& key) { return timetable(system, key).plan; }

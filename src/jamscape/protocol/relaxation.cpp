@@ -42,11 +42,23 @@ void Relaxation::add_sample(double kinetic, double elastic) {
   const bool looked_at_elastic = wants_elastic();
   kinetic_[static_cast<std::size_t>(taken_ % per_window_)] = kinetic;
   ++taken_;
+  std::string rest;
   if (kinetic == 0 || (looked_at_elastic && negligible(elastic)))
-    ended_ = relaxed_energy;
+    rest = relaxed_energy;
   else if (taken_ >= per_window_ && still())
-    ended_ = relaxed_fluctuation;
-  else if (static_cast<double>(taken_ - 1) >= options_.windows * static_cast<double>(per_window_))
+    rest = relaxed_fluctuation;
+  (options_.unbalanced > 0 ? at_rest_ : ended_) = rest;
+  if (at_rest_.empty()) look_at_budget();
+}
+
+void Relaxation::judge_forces(double unbalanced) {
+  if (unbalanced <= options_.unbalanced) ended_ = at_rest_;
+  at_rest_.clear();
+  look_at_budget();
+}
+
+void Relaxation::look_at_budget() {
+  if (ended_.empty() && static_cast<double>(taken_ - 1) >= options_.windows * static_cast<double>(per_window_))
     ended_ = not_relaxed;
 }
 

@@ -24,6 +24,12 @@ class Relaxation {
   bool wants_elastic() const { return taken_ % 10 == 0; }
   void add_sample(double kinetic, double elastic);
 
+  /// True after a sample that is at rest by its kinetic energy, where the forces are to be judged too: then
+  /// judge_forces() follows before the next sample.
+  bool wants_forces() const { return !at_rest_.empty(); }
+  /// `unbalanced` is that of unbalanced.hpp.
+  void judge_forces(double unbalanced);
+
   /// Empty while it goes on.
   const std::string& ended() const { return ended_; }
 
@@ -33,6 +39,7 @@ class Relaxation {
  private:
   bool still() const;
   bool negligible(double elastic) const;
+  void look_at_budget();
 
   RelaxOptions options_;
   std::int64_t interval_, per_window_;  ///< steps between samples; samples in a window
@@ -40,6 +47,7 @@ class Relaxation {
   double first_ = 0;             ///< kinetic energy of the first sample
   std::vector<double> kinetic_;  ///< the last window's samples, sample k at k mod per_window_
   std::string ended_;
+  std::string at_rest_;  ///< why, where the forces are still to be judged
 };
 
 }  // namespace jam

@@ -12,6 +12,7 @@
 #include "jamscape/protocol/plan.hpp"
 #include "jamscape/protocol/relaxation.hpp"
 #include "jamscape/protocol/scene.hpp"
+#include "jamscape/protocol/unbalanced.hpp"
 
 namespace jam {
 namespace {
@@ -118,7 +119,10 @@ class Run {
       elastic = e.normal + e.tangential;
     }
     relaxation_.add_sample(engine_.kinetic_energy(), elastic);
-    return false;
+    if (!relaxation_.wants_forces()) return false;
+    engine_.compute_forces();
+    relaxation_.judge_forces(unbalanced_part(engine_.record(), system_.domain.gravity));
+    return true;
   }
 
   /// The next step at which something happens.
@@ -212,6 +216,8 @@ class Run {
 
 int physics_revision(const SystemOptions& system) {
   if (is_container(system.domain.walls)) return 3;
+  if (system.domain.walls == WallModel::periodic) return 6;
+  if (!system.stages.empty() && system.stages.front().kind != StageKind::compress) return 7;
   if (system.domain.dimension == 3) return 5;
   if (system.grains.count >= static_cast<std::int64_t>(Parts::least_grains)) return 4;
   return hertzian(system.contact.law) ? 2 : 1;

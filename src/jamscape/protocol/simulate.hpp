@@ -19,6 +19,8 @@ namespace jam {
 ///   3   clusters in a container
 ///   4   discs enough for several parts (dem/parts.hpp)
 ///   5   spheres, since sums of products are rounded once (`fused` in dem/kernel.hpp)
+///   6   periodic boxes, since the start has no mean velocity and rest is judged by the forces too
+///   7   other boxes that begin with steps or rest, since both begin at start.packing_fraction in every realisation
 int physics_revision(const SystemOptions& system);
 
 /// What names the random numbers of one simulation.
@@ -43,6 +45,8 @@ struct PlannedFrame {
 struct Plan {
   std::int64_t steps = 0;   ///< of the whole protocol; how long grains settle, relax and are pressed is guessed
   std::int64_t bodies = 0;  ///< grains
+  double start = 0;         ///< packing fraction of the start, below start.packing_fraction where its lattice is wider;
+                            ///< 0 in a container
   std::vector<PlannedFrame> frames;
 };
 

@@ -33,6 +33,7 @@ struct RelaxOptions {
   double energy = 1e-10;
   double windows = 10;
   double energy_average = 0;
+  double unbalanced = -1;
 
   template <class V>
   void describe(V& v) {
@@ -59,6 +60,14 @@ struct RelaxOptions {
                  "which a packing that swings as a whole passes at every turning point",
          .min = 0,
          .max = 1});
+    v.option(
+        "relax_unbalanced", unbalanced,
+        {.text = "relax: rest by the kinetic energy counts only where the mean net force on a grain is at most this "
+                 "part of the mean contact force; 0: not looked at (S2's rule); -1: .01 in a periodic box, 0 "
+                 "elsewhere",
+         .min = -1,
+         .max = 1e6,
+         .source = "theory 1, note g"});
     v.option("relax_windows", windows,
              {.text = "relax: ends after so many windows at the latest; such a frame is marked as not relaxed",
               .min = 0,

@@ -48,6 +48,16 @@ std::vector<EngineWall<D>> planes(double length) {
   return walls;
 }
 
+/// A periodic box has no wall to take up the momentum of the start: without this it would keep it for ever.
+template <int D>
+void stop_drift(EngineSetup<D>& setup) {
+  Vec<D> momentum{};
+  double mass = 0;
+  for (std::size_t k = 0; k < setup.mass.size(); ++k)
+    momentum += setup.mass[k] * setup.velocity[k], mass += setup.mass[k];
+  for (Vec<D>& v : setup.velocity) v -= (1 / mass) * momentum;
+}
+
 }  // namespace
 
 std::vector<double> draw_diameters(const GrainOptions& o, const TaskKey& key) {
@@ -115,6 +125,9 @@ void check_start(const SystemOptions& system) {
   if (is_container(system.domain.walls)) return;
   if (system.domain.dimension == 3 && system.domain.walls == WallModel::beads)
     throw usage_error("domain.walls: bead walls are for two dimensions", {}, "domain.walls = \"flat\" or \"periodic\"");
+  if (system.domain.walls == WallModel::periodic && system.domain.gravity != 0)
+    throw usage_error("domain.gravity: in a periodic box grains fall for ever", {},
+                      "domain.gravity = 0, or walls: domain.walls = \"flat\", or a container");
   if (system.grains.shape != BodyShape::ball)
     throw usage_error("grains.shape: clusters are for containers", {}, "domain.walls = \"box\" or \"cylinder\"");
 }
@@ -155,6 +168,7 @@ EngineSetup<D> start(const SystemOptions& system, const TaskKey& key) {
     setup.position.push_back(x);
     setup.velocity.push_back(v);
   }
+  if (system.domain.walls == WallModel::periodic) stop_drift(setup);
   return setup;
 }
 
