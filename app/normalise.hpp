@@ -3,17 +3,15 @@
 
 #include <algorithm>
 
+#include "jamscape/base/mean.hpp"
 #include "jamscape/network/graph.hpp"
 
 namespace jam::app {
 
 /// Divides by the mean weight and returns it; a network without weight stays as it is.
 inline double normalise(WeightedGraph& graph) {
-  double sum = 0;
-  for (const double w : graph.weight) sum += w;
-  if (!(sum > 0)) return 0;
-  const double mean = sum / static_cast<double>(graph.edges());
-  for (double& w : graph.weight) w /= mean;
+  const double mean = mean_of(graph.weight);
+  divide_by_mean(graph.weight, mean);
   return mean;
 }
 

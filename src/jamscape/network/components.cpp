@@ -5,7 +5,7 @@
 namespace jam {
 
 Components components(const WeightedGraph& graph, double threshold, Level level) {
-  const auto reaches = [&](double w) { return level == Level::at_least ? w >= threshold : w > threshold; };
+  const auto reaches = [&](double w) { return keeps(level, w, threshold); };
   UnionFind sets(graph.vertices);
   std::vector<char> present(graph.vertices, reaches(0));
   for (std::size_t e = 0; e < graph.edges(); ++e) {

@@ -16,7 +16,8 @@ struct EdgesByLevel {
 };
 
 EdgesByLevel sort_by_level(std::span<const double> weight, std::span<const double> thresholds) {
-  const ThresholdFinder finder(thresholds);
+  const std::vector<double> above = bars(Level::above, thresholds);
+  const ThresholdFinder finder(above);
   EdgesByLevel sorted;
   sorted.begin.assign(thresholds.size() + 2, 0);
   std::vector<std::uint32_t> passed(weight.size());
@@ -106,11 +107,12 @@ std::vector<ClusterLevel> level_sweep(const ComponentHistory& history, std::span
   LevelTally tally(names.size());  // by place
   if (!touches.empty())
     for (std::uint32_t place = 0; place < names.size(); ++place) tally.touch(place, touches[names[place]]);
+  const std::vector<double> above = bars(Level::above, thresholds);
   std::uint32_t rank = 0;
   std::vector<UnionFind::Merge> joins(history.edges() + 1);
   return sweep(thresholds.size(), tally, [&](std::size_t k) {
     std::size_t count = 0;  // of the edges that join; put aside, as no processor could guess which do
-    for (; rank < history.edges() && history.weight(rank) > thresholds[k]; ++rank) {
+    for (; rank < history.edges() && history.weight(rank) > above[k]; ++rank) {
       const auto merge = history.merges()[rank];
       tally.add_inner(merge.kept, !merge.joined());
       joins[count] = merge;

@@ -1,8 +1,9 @@
 // The clusters of a weighted graph at many thresholds, from one sweep over its edges from strong to weak.
 //
-// At threshold t the edges with weight > t are kept (S2; Level::above). A cluster is a connected piece with at least
-// one edge, so a vertex without an edge above t is in none, at t = 0 too. With sides of a box given, a cluster
-// percolates along an axis where its vertices touch both sides, or where it winds around a periodic box.
+// At threshold t the edges with weight > t are kept (S2; Level::above, whose margin at t is that of base/border.hpp). A
+// cluster is a connected piece with at least one edge, so a vertex without an edge above t is in none, at t = 0 too.
+// With sides of a box given, a cluster percolates along an axis where its vertices touch both sides, or where it winds
+// around a periodic box.
 //
 //   shape = (1/clusters) sum over clusters, percolating ones included, of edges/vertices:
 //           (n - 1)/n for an open path of n vertices, 1 for a ring, more for anything denser (S2 Sec. 5.2)

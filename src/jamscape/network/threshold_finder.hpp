@@ -1,5 +1,5 @@
 // How many of many increasing thresholds a value passes. Evenly spaced thresholds, the usual case, cost a
-// multiplication; others a binary search.
+// multiplication; others a binary search. Comparisons are exact: give bars() of the thresholds of a level.
 #pragma once
 
 #include <algorithm>

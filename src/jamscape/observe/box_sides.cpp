@@ -24,6 +24,14 @@ std::vector<Sides> touched_sides(const Packing& packing, const Bonds& bonds) {
   return sides;
 }
 
+std::vector<Sides> sides_of_vertices(const ForceNetwork& network, std::vector<Sides> of_grains) {
+  if (network.graph.vertices == of_grains.size()) return of_grains;
+  std::vector<Sides> of_vertices;
+  of_vertices.reserve(network.grain.size());
+  for (const std::uint32_t grain : network.grain) of_vertices.push_back(of_grains[grain]);
+  return of_vertices;
+}
+
 std::vector<BoxCopy> edge_images(const Packing& packing, const ForceNetwork& network) {
   std::vector<BoxCopy> images;
   if (std::none_of(packing.domain.periodic.begin(), packing.domain.periodic.end(), [](bool p) { return p; }))

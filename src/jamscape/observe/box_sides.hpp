@@ -16,6 +16,9 @@ int wall_side(const Wall& wall, int dimension);
 /// Of each grain the sides whose wall it touches: wall contacts with overlap >= 0 and positive normal force.
 std::vector<Sides> touched_sides(const Packing& packing, const Bonds& bonds);
 
+/// The same of each vertex of the network.
+std::vector<Sides> sides_of_vertices(const ForceNetwork& network, std::vector<Sides> sides_of_grains);
+
 /// Of each edge the periodic copy of its second grain; empty where no side is periodic.
 std::vector<BoxCopy> edge_images(const Packing& packing, const ForceNetwork& network);
 

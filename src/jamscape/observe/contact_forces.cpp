@@ -2,19 +2,11 @@
 
 #include <algorithm>
 
+#include "jamscape/base/border.hpp"
+#include "jamscape/base/mean.hpp"
 #include "jamscape/observe/entry.hpp"
 
 namespace jam {
-namespace {
-
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v;
-  return values.empty() ? 0 : sum / static_cast<double>(values.size());
-}
-
-}  // namespace
-
 std::vector<double> contact_forces(const Packing& packing) {
   const Contacts& k = packing.contacts;
   std::vector<double> forces;
@@ -22,13 +14,6 @@ std::vector<double> contact_forces(const Packing& packing) {
   for (std::size_t c = 0; c < k.size(); ++c)
     if (k.j[c] >= 0 && k.normal_force[c] > 0) forces.push_back(k.normal_force[c]);
   return forces;
-}
-
-std::vector<double> over_mean(std::vector<double> values) {
-  const double m = mean(values);
-  if (m > 0)
-    for (double& v : values) v /= m;
-  return values;
 }
 
 std::vector<std::vector<double>> distribution_columns(const std::vector<double>& values,
@@ -54,16 +39,16 @@ Measure contact_forces_measure() {
        {"largest_force", "<F_n>", "largest f; 0 without contacts"}},
       [](const Snapshot& s) {
         const std::vector<double> forces = contact_forces(s.packing());
-        const double average = mean(forces), end = s.options().contact_force_max * average;
+        if (forces.empty()) return std::vector<double>(5, 0.0);
+        const double average = mean_of(forces);
         double beyond_end = 0, beyond_8 = 0, largest = 0;
-        for (const double force : forces) {
-          beyond_end += force > end;
-          beyond_8 += force > 8 * average;
-          largest = std::max(largest, force);
+        for (const double f : over_mean(forces)) {
+          beyond_end += exceeds(f, s.options().contact_force_max);
+          beyond_8 += exceeds(f, 8);
+          largest = std::max(largest, f);
         }
         const auto n = static_cast<double>(forces.size());
-        if (forces.empty()) return std::vector<double>(5, 0.0);
-        return std::vector<double>{n, average, beyond_end / n, beyond_8 / n, largest / average};
+        return std::vector<double>{n, average, beyond_end / n, beyond_8 / n, largest};
       });
 }
 

@@ -14,9 +14,6 @@ namespace jam {
 /// F_n of each contact between bodies with F_n > 0, in the order of the contacts.
 std::vector<double> contact_forces(const Packing& packing);
 
-/// The values over their mean; as they are where the mean is not above 0.
-std::vector<double> over_mean(std::vector<double> values);
-
 /// A histogram from 0 on in the bins of the options, as columns: centre, density, count, norm (values times width).
 std::vector<std::vector<double>> distribution_columns(const std::vector<double>& values, const MeasureOptions& options);
 

@@ -1,5 +1,6 @@
 #include "jamscape/observe/contacts.hpp"
 
+#include "jamscape/base/mean.hpp"
 #include "jamscape/observe/entry.hpp"
 
 namespace jam {
@@ -7,9 +8,10 @@ namespace jam {
 double mean_normal_force(const Snapshot& snapshot) {
   const ForceNetwork& net = snapshot.network();
   if (snapshot.options().force == EdgeForce::normal || net.contact.empty()) return net.mean_force;
-  double sum = 0;
-  for (const std::uint32_t c : net.contact) sum += norm(normal_force_of_pair(snapshot.packing().contacts, c));
-  return sum / static_cast<double>(net.contact.size());
+  std::vector<double> forces;
+  for (const std::uint32_t c : net.contact)
+    forces.push_back(norm(normal_force_of_pair(snapshot.packing().contacts, c)));
+  return mean_of(forces);
 }
 
 Measure contacts_measure() {

@@ -1,5 +1,6 @@
 #include "jamscape/observe/force_distribution.hpp"
 
+#include "jamscape/base/mean.hpp"
 #include "jamscape/observe/entry.hpp"
 
 namespace jam {
@@ -9,7 +10,7 @@ Histogram force_distribution(const ForceNetwork& network, const MeasureOptions& 
   Histogram h(linear ? Spacing::linear : Spacing::logarithmic, options.force_min, options.force_max,
               static_cast<std::size_t>(options.force_bins));
   if (network.mean_force > 0)
-    for (const double f : network.force) h.add(f / network.mean_force);
+    for (const double f : over_mean(network.force)) h.add(f);
   return h;
 }
 

@@ -4,12 +4,30 @@
 #include <cmath>
 #include <limits>
 
+#include "jamscape/base/mean.hpp"
+
 namespace jam {
 namespace {
 
 double edge_force(const Contacts& k, std::size_t c, EdgeForce which) {
   if (which == EdgeForce::normal && next_of_pair(k, c) == k.size()) return std::abs(k.normal_force[c]);
   return norm(which == EdgeForce::normal ? normal_force_of_pair(k, c) : total_force_of_pair(k, c));
+}
+
+/// Only grains with an edge stay vertices, in their order.
+void leave_out_the_rest(ForceNetwork& net) {
+  WeightedGraph& g = net.graph;
+  std::vector<std::uint32_t> number(g.vertices, 0);
+  for (const auto* ends : {&g.from, &g.to})
+    for (const std::uint32_t grain : *ends) number[grain] = 1;
+  for (std::uint32_t grain = 0; grain < g.vertices; ++grain) {
+    if (number[grain] == 0) continue;
+    number[grain] = static_cast<std::uint32_t>(net.grain.size());
+    net.grain.push_back(grain);
+  }
+  for (auto* ends : {&g.from, &g.to})
+    for (std::uint32_t& end : *ends) end = number[end];
+  g.vertices = static_cast<std::uint32_t>(net.grain.size());
 }
 
 }  // namespace
@@ -23,7 +41,6 @@ ForceNetwork force_network(const Packing& packing, const Bonds& bonds, const Mea
   for (auto* ids : {&g.from, &g.to, &net.contact}) ids->resize(bonds.size() + 1);
   net.force.resize(bonds.size() + 1);
   std::size_t count = 0;
-  double sum = 0;
   for (const std::uint32_t c : bonds.contact) {
     const std::uint32_t i = k.i[c], j = static_cast<std::uint32_t>(k.j[c]);
     if (options.remove_rattlers && (bonds.rattles(i) || bonds.rattles(j))) continue;
@@ -32,16 +49,16 @@ ForceNetwork force_network(const Packing& packing, const Bonds& bonds, const Mea
     g.to[count] = j;
     net.contact[count] = c;
     net.force[count] = f;
-    sum += f;
     ++count;
   }
   for (auto* ids : {&g.from, &g.to, &net.contact}) ids->resize(count);
   net.force.resize(count);
-  if (count > 0) net.mean_force = sum / static_cast<double>(count);
-  const double scale = net.mean_force > 0 ? 1 / net.mean_force : 0;
+  net.mean_force = mean_of(net.force);
   const double most = options.clamp > 0 ? options.clamp : std::numeric_limits<double>::infinity();
-  g.weight.resize(count);
-  for (std::size_t e = 0; e < count; ++e) g.weight[e] = std::min(net.force[e] * scale, most);
+  g.weight = net.force;
+  divide_by_mean(g.weight, net.mean_force);
+  for (double& w : g.weight) w = std::min(w, most);
+  if (options.remove_rattlers) leave_out_the_rest(net);
   return net;
 }
 

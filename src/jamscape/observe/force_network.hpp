@@ -1,13 +1,13 @@
 // The force network of a packing: the bridge from grains to graphs.
 //
-//   vertices  grains;   edges  pairs of grains that touch, one however many contacts two clusters have (wall contacts
-//   are
-//             no edges)
+//   vertices  grains;   edges  pairs of grains that touch (bonds.hpp), one however many contacts two clusters have;
+//             wall contacts are no edges
 //   weight    f = |F|/<F>, at most `clamp`;   F = sum of F_n n over the contacts of the pair (S1), or of F_n n - f_t,
 //             the whole contact force (S2);   <F> = mean of |F| over the edges kept, before the clamp
 //
-// With `remove_rattlers` the edges of grains with fewer than two contacts (walls count) are dropped first, once and not
-// recursively; the vertices stay, so that the index of a vertex is the index of its grain.
+// Rattlers are grains with fewer than two contacts (walls count). Where they stay (S1), the vertices are all grains,
+// those without an edge among them. With `remove_rattlers` (S2) they go with their edges first, once and not
+// recursively, and the vertices are the grains that an edge is left to: a grain is there through its edges only.
 // Source: S1 Sec. II.C and App. B, S2 Sec. 4, theory sec. 4.
 #pragma once
 
@@ -22,7 +22,8 @@
 namespace jam {
 
 struct ForceNetwork {
-  WeightedGraph graph;                 ///< vertices = grains (index as in Packing::grains); weights in mean forces
+  WeightedGraph graph;                 ///< weights in mean forces
+  std::vector<std::uint32_t> grain;    ///< of each vertex: its index in Packing::grains; empty where they are the same
   double mean_force = 0;               ///< mean over the edges kept, before normalisation and clamp
   std::size_t grains = 0;              ///< all grains, or without the rattlers where they are removed
   std::vector<std::uint32_t> contact;  ///< of each edge: the index of its (first) contact in Packing::contacts

@@ -1,5 +1,6 @@
 #include "jamscape/observe/force_tail.hpp"
 
+#include "jamscape/base/mean.hpp"
 #include "jamscape/observe/contact_forces.hpp"
 #include "jamscape/observe/entry.hpp"
 #include "jamscape/stats/force_tail.hpp"

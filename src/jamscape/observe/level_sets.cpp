@@ -15,7 +15,8 @@ std::vector<double> above(std::vector<double> values, const std::vector<double>&
   std::sort(values.begin(), values.end());
   std::vector<double> counts;
   for (const double t : thresholds)
-    counts.push_back(static_cast<double>(values.end() - std::upper_bound(values.begin(), values.end(), t)));
+    counts.push_back(
+        static_cast<double>(values.end() - std::upper_bound(values.begin(), values.end(), bar(Level::above, t))));
   return counts;
 }
 

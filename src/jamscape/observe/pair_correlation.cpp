@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/observe/entry.hpp"
 #include "jamscape/observe/point_grid.hpp"
 #include "jamscape/observe/room.hpp"
@@ -45,8 +46,8 @@ PairCorrelation pair_correlation(const Packing& p, const MeasureOptions& options
     const Room::Place r = around.place(position[i]);
     if (!r.inside) continue;
     ++inside;
-    const double whole = std::min(std::floor(r.reach / width), static_cast<double>(bins));
-    bins_of[i] = whole > 0 ? static_cast<std::uint32_t>(whole) : 0;
+    const double whole = std::min(borders_reached(r.reach / width), static_cast<double>(bins));
+    bins_of[i] = static_cast<std::uint32_t>(whole);
     ++grains_with[bins_of[i]];
   }
   std::uint32_t farther = 0;
@@ -60,8 +61,8 @@ PairCorrelation pair_correlation(const Packing& p, const MeasureOptions& options
   for (std::size_t i = 0; i < p.grains.size(); ++i) {
     if (bins_of[i] == 0) continue;
     const std::uint32_t last = bins_of[i] - 1;
-    grid.each_within(position[i], static_cast<double>(bins_of[i]) * width, [&](double r2) {
-      ++count[std::min(static_cast<std::uint32_t>(std::sqrt(r2) * per_width), last)];
+    grid.each_within(position[i], on_from(static_cast<double>(bins_of[i]) * width), [&](double r2) {
+      ++count[std::min(static_cast<std::uint32_t>(borders_reached(std::sqrt(r2) * per_width)), last)];
     });
     --count[0];  // itself
   }

@@ -52,7 +52,7 @@ Measure percolation_measure() {
         const auto ends = static_cast<double>(std::accumulate(degree.begin(), degree.end(), std::uint64_t{0}));
         std::vector<double> row(whole.percolates.begin(), whole.percolates.end());
         row.push_back(whole.percolating_clusters > 0 ? 1 : 0);
-        row.push_back(ratio(whole.percolating_vertices, s.network().graph.vertices));
+        row.push_back(ratio(whole.percolating_vertices, static_cast<double>(s.packing().grains.size())));
         row.push_back(percolation_estimate(degree));
         row.push_back(ratio(ends, static_cast<double>(s.network().grains)));
         return row;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/observe/bodies.hpp"
 #include "jamscape/observe/box.hpp"
 #include "jamscape/observe/point_grid.hpp"
@@ -16,7 +17,9 @@ namespace jam {
 namespace {
 
 // A margin that leaves enough between the walls.
-double fitting(double margin, double width) { return 2 * margin > 0.75 * width ? std::min(margin, width / 6) : margin; }
+double fitting(double margin, double width) {
+  return exceeds(2 * margin, 0.75 * width) ? std::min(margin, width / 6) : margin;
+}
 
 // Part of a ball of radius r about a point that lies between it and a plane at distance a, a half space away or more.
 double half_ball(double r, double a) {
@@ -34,7 +37,7 @@ struct Surroundings {
       : room(p, wall_distance(p)), ends(height_axis(p)), range(o.rdf_range * length) {
     for (int a = 0; a < p.dimension; ++a) {
       if (!room.walled(a)) continue;
-      const bool thin = p.dimension == 3 && a != ends && room.width(a) < 2 * range;
+      const bool thin = p.dimension == 3 && a != ends && !reaches(room.width(a), 2 * range);
       if (thin && (room.thin < 0 || room.width(a) < room.width(room.thin))) room.thin = a;
       room.margin[a] = fitting((a == ends ? o.rdf_margin_ends : o.rdf_margin_sides) * length, room.width(a));
     }
@@ -81,12 +84,13 @@ RadialDistribution radial_distribution(const Packing& p, const MeasureOptions& o
   const PointGrid grid(room.with_copies(position, range), std::max(length, range / 6));
   for (const Vec3& x : position) {
     const Room::Place place = room.place(x);
-    const double reach = std::min(std::floor(place.reach * per_width), static_cast<double>(bins));
+    const double reach = std::min(borders_reached(place.reach * per_width), static_cast<double>(bins));
     if (!place.inside || !(reach >= 1)) continue;
     const auto last = static_cast<std::size_t>(reach) - 1;
     std::vector<double>& pairs = result.pairs.emplace_back(bins, 0.0);
-    grid.each_within(x, reach * width,
-                     [&](double r2) { ++pairs[std::min(static_cast<std::size_t>(std::sqrt(r2) * per_width), last)]; });
+    grid.each_within(x, on_from(reach * width), [&](double r2) {
+      ++pairs[std::min(static_cast<std::size_t>(borders_reached(std::sqrt(r2) * per_width)), last)];
+    });
     --pairs[0];  // itself
     std::vector<double>& ideal = result.ideal.emplace_back(bins, 0.0);
     std::copy_n(whole_shell.begin(), last + 1, ideal.begin());

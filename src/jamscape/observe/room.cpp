@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/observe/box.hpp"
 
 namespace jam {
@@ -26,20 +27,20 @@ Room::Room(const Packing& packing, double layer)
 
 Room::Place Room::place(const Vec3& x) const {
   Place p{true, std::numeric_limits<double>::infinity()};
-  const auto keep_from = [&](double wall, double away) {
-    p.inside = p.inside && wall >= away;
+  const auto keep_from = [&](double wall, double away, double size) {
+    p.inside = p.inside && reaches(wall, away, size);
     p.reach = std::min(p.reach, wall - layer_);
   };
   for (int a = 0; a < dimension_; ++a) {
     if (periodic_[static_cast<std::size_t>(a)])
       p.reach = std::min(p.reach, width(a) / 2);
     else if (walled(a) && a != thin)
-      keep_from(std::min(x[a] - lo_[a], hi_[a] - x[a]), margin[a]);
+      keep_from(std::min(x[a] - lo_[a], hi_[a] - x[a]), margin[a], width(a));
   }
   if (round()) {
     Vec3 out = x - centre_;
     out[axis_] = 0;
-    keep_from(radius_ - norm(out), round_margin);
+    keep_from(radius_ - norm(out), round_margin, radius_);
   }
   return p;
 }

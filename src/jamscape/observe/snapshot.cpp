@@ -45,7 +45,7 @@ const Diagram& Snapshot::diagram() const {
 const std::vector<ClusterLevel>& Snapshot::levels() const {
   if (levels_) return *levels_;
   const std::vector<double> thresholds = threshold_grid(options_.level_max, options_.level_step);
-  const std::vector<Sides> sides = touched_sides(packing_, bonds());
+  const std::vector<Sides> sides = sides_of_vertices(network(), touched_sides(packing_, bonds()));
   const std::vector<BoxCopy> images = edge_images(packing_, network());
   levels_ = images.empty() ? level_sweep(history(), thresholds, sides)
                            : level_sweep(network().graph, thresholds, {sides, images});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/base/error.hpp"
 
 namespace jam {
@@ -21,16 +22,17 @@ Histogram::Histogram(Spacing spacing, double lo, double hi, std::size_t bins) : 
   }
   edges_.front() = lo;
   edges_.back() = hi;
+  for (const double edge : edges_) from_.push_back(on_from(edge));
 }
 
 void Histogram::add(double value) {
   ++total_;
-  if (value < edges_.front()) {
+  if (value < from_.front()) {
     ++below_;
-  } else if (value < edges_.back()) {
-    const auto upper = std::upper_bound(edges_.begin(), edges_.end(), value);
-    ++counts_[static_cast<std::size_t>(upper - edges_.begin()) - 1];
-  } else if (value == edges_.back()) {
+  } else if (value < from_.back()) {
+    const auto upper = std::upper_bound(from_.begin(), from_.end(), value);
+    ++counts_[static_cast<std::size_t>(upper - from_.begin()) - 1];
+  } else if (value <= on_to(edges_.back())) {
     ++counts_.back();
   } else {
     ++above_;

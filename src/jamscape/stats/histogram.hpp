@@ -3,7 +3,8 @@
 //   density_k = count_k / (total * width_k),   total = values inside and outside the bins,
 //
 // so that the integral over the bins is the fraction of values that fell inside them, and 1 over the whole axis.
-// A bin holds its lower edge and not its upper one, except the last, which holds both.
+// A bin holds its lower edge and not its upper one, except the last, which holds both. A value on an edge to within
+// round-off is on it (base/border.hpp).
 #pragma once
 
 #include <cstddef>
@@ -34,6 +35,7 @@ class Histogram {
  private:
   Spacing spacing_;
   std::vector<double> edges_;
+  std::vector<double> from_;  // the least value on each edge
   std::vector<std::int64_t> counts_;
   std::int64_t below_ = 0, above_ = 0, total_ = 0;
 };

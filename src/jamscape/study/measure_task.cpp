@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string measure_key(const Measure& measure, MeasureOptions options, const RunFile& run) {
-  std::string text = fmt::format("{} {}\n", program_version(), measure.name);
+  std::string text = fmt::format("{} {}\n{}\n", program_version(), measure.name, measure.formula);
   for (const ColumnInfo& c : measure.columns) text += c.name + "\n";
   for (const Option& o : options_of(options)) text += fmt::format("{} = {}\n", o.key, print_value(o));
   for (const std::int64_t step : run.steps()) text += fmt::format("{} ", step);

@@ -6,19 +6,10 @@
 #include "jamscape/network/threshold_finder.hpp"
 
 namespace jam {
-namespace {
-
-/// Whether a cell of this value is in the level set.
-bool holds(double value, double threshold, Level level) {
-  return level == Level::at_least ? value >= threshold : value > threshold;
-}
-
-}  // namespace
-
 std::size_t betti(const Diagram& diagram, int dimension, double threshold, Level level) {
   return static_cast<std::size_t>(std::count_if(diagram.pairs.begin(), diagram.pairs.end(), [&](const auto& p) {
-    return p.dimension == dimension && holds(p.birth, threshold, level) &&
-           (p.essential || !holds(p.death, threshold, level));
+    return p.dimension == dimension && keeps(level, p.birth, threshold) &&
+           (p.essential || !keeps(level, p.death, threshold));
   }));
 }
 
@@ -27,14 +18,18 @@ namespace {
 /// `curve[k]` at sorted thresholds: classes born by then, less those that have died.
 template <Level level>
 std::vector<std::size_t> sorted_curve(const Diagram& diagram, int dimension, std::span<const double> sorted) {
-  const ThresholdFinder finder(sorted);
+  const std::vector<double> least = bars(level, sorted);
+  const ThresholdFinder finder(least);
   const auto pairs = pairs_of(diagram, dimension);
+  const auto holds = [&](double value, std::size_t k) {
+    return level == Level::at_least ? value >= least[k] : value > least[k];
+  };
   std::vector<std::size_t> deaths(sorted.size() + 1, 0);  // by the number of thresholds that they pass
   for (const auto& p : pairs) deaths[finder.passed<level>(p.death)] += !p.essential;
   std::vector<std::size_t> curve(sorted.size());
   std::size_t born = 0, dead = 0;
   for (std::size_t k = sorted.size(); k-- > 0;) {
-    while (born < pairs.size() && holds(pairs[born].birth, sorted[k], level)) ++born;  // births decrease
+    while (born < pairs.size() && holds(pairs[born].birth, k)) ++born;  // births decrease
     dead += deaths[k + 1];
     curve[k] = born - dead;
   }

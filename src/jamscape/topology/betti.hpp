@@ -2,8 +2,9 @@
 //
 // Level::at_least (S1) holds every cell with value >= theta, so a class counts for death < theta <= birth: present at
 // its birth, gone at its death. Level::above (S2) holds those with value > theta: death <= theta < birth. An essential
-// class has no death that ends it. An isolated vertex has value 0: it counts for theta <= 0 (at_least) or theta < 0
-// (above) only. A force network's b1 at theta = 0 is therefore the number of its essential loops.
+// class has no death that ends it, at theta = 0 neither. A value on theta to within round-off equals it (level.hpp). An
+// isolated vertex has value 0: it counts for theta <= 0 (at_least) or theta < 0 (above) only. A force network's b1 at
+// theta = 0 is therefore the number of its essential loops.
 #pragma once
 
 #include <cstddef>

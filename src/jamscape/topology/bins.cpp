@@ -1,18 +1,19 @@
 #include "jamscape/topology/bins.hpp"
 
+#include "jamscape/base/border.hpp"
+
 namespace jam {
 
 BinCounts persistence_bins(const Diagram& diagram, int dimension, const BinOptions& options) {
   BinCounts count;
+  const double strong = on_from(options.strong), medium = on_from(options.medium);
   for (const auto& p : pairs_of(diagram, dimension)) {
     const bool isolated = dimension == 0 && p.essential && p.birth == 0;
     const double life = p.birth - p.death;
-    if (life == 0 && !isolated) continue;
-    const bool rough = options.edge == RoughEdge::open ? life < options.rough : life <= options.rough;
-    ++(rough                       ? count.rough
-       : p.birth >= options.strong ? count.strong
-       : p.birth >= options.medium ? count.medium
-                                   : count.weak);
+    if (!exceeds(life, 0, p.birth) && !isolated) continue;
+    const bool rough = options.edge == RoughEdge::open ? !reaches(life, options.rough, p.birth)
+                                                       : !exceeds(life, options.rough, p.birth);
+    ++(rough ? count.rough : p.birth >= strong ? count.strong : p.birth >= medium ? count.medium : count.weak);
   }
   return count;
 }

@@ -6,7 +6,9 @@
 //   weak    otherwise, birth < medium
 //
 // An essential class dies at 0. Pairs of zero length do not count, except the isolated vertices (0, 0) of dimension 0,
-// which are rough. Every other point of a diagram with deaths >= 0 falls in exactly one bin.
+// which are rough. Every other point of a diagram with deaths >= 0 falls in exactly one bin. What lies on a border to
+// within round-off of the birth is on it (base/border.hpp): 1.1 - 1 is a lifetime of exactly .1, and a birth of 2.5 is
+// strong, whatever the last digits of a quotient say.
 #pragma once
 
 #include <cstddef>

@@ -105,7 +105,24 @@ TEST(ForceNetwork, RattlersGoOnceAndNotRecursively) {
   const ForceNetwork net = Snapshot(p, options).network();
   EXPECT_EQ(net.contact, (std::vector<std::uint32_t>{1, 2, 3, 4}));
   EXPECT_EQ(net.mean_force, 2);
-  EXPECT_EQ(net.graph.vertices, 5u);
+  EXPECT_EQ(net.graph.vertices, 4u);  // grain 0 is no vertex
+  EXPECT_EQ(net.grain, (std::vector<std::uint32_t>{1, 2, 3, 4}));
+  EXPECT_EQ(net.graph.from, (std::vector<std::uint32_t>{0, 1, 1, 2}));
+  EXPECT_EQ(net.graph.to, (std::vector<std::uint32_t>{1, 2, 3, 3}));
+  EXPECT_EQ(Snapshot(p, {}).network().graph.vertices, 5u);
+}
+
+TEST(ForceNetwork, WithoutRattlersAGrainIsThereThroughItsEdgesOnly) {
+  Packing p = row(4);  // grain 1 touches two walls and a rattler: it stays, and no edge with it
+  add_walls(p);
+  add_contact(p, 0, 1, 1);
+  add_contact(p, 1, -2, 1);
+  add_contact(p, 1, -1, 1);
+  MeasureOptions options;
+  options.remove_rattlers = true;
+  EXPECT_EQ(Snapshot(p, options).network().graph.vertices, 0u);
+  EXPECT_EQ(Snapshot(p, options).network().grains, 1u);
+  EXPECT_EQ(Snapshot(p, options).levels().front().clusters, 0u);
 }
 
 TEST(ForceNetwork, AWallContactKeepsAGrainFromBeingARattler) {

@@ -66,6 +66,40 @@ TEST(PersistenceMeasures, IsolatedGrainsAreRough) {
   EXPECT_EQ(row(persistence_bins_measure(), ideal_gas(2, {50, 50, 0}, 20, false))["b0_rough"], 20);
 }
 
+// A triangle of discs, a pair, and a disc alone: the pair and the last are rattlers.
+TEST(PersistenceMeasures, RemovedRattlersAreInNoBinAndNoBettiNumber) {
+  Packing p = box(2, {20, 10, 0});
+  for (const Vec3 x : {Vec3{1, 1, 0}, Vec3{2, 1, 0}, Vec3{1.5, 1.8, 0}, Vec3{8, 1, 0}, Vec3{9, 1, 0}, Vec3{15, 5, 0}})
+    add_grain(p, x);
+  add_contact(p, 0, 1, 1);
+  add_contact(p, 0, 2, 1);
+  add_contact(p, 1, 2, 1);
+  add_contact(p, 3, 4, 1);
+  MeasureOptions without;
+  without.remove_rattlers = true;
+  const auto value = [&](const Measure& m, const MeasureOptions& o, const char* column) {
+    return m.evaluate(Snapshot(p, o)).numbers(column).at(0);
+  };
+  EXPECT_EQ(value(persistence_bins_measure(), {}, "b0_rough"), 1);
+  EXPECT_EQ(value(persistence_bins_measure(), without, "b0_rough"), 0);
+  EXPECT_EQ(value(persistence_bins_measure(), without, "b0_medium"), 1);
+  EXPECT_EQ(value(betti_measure(), {}, "b0"), 3);
+  EXPECT_EQ(value(betti_measure(), without, "b0"), 1);
+  EXPECT_EQ(diagram_measure().evaluate(Snapshot(p, without)).rows(), 1u);
+}
+
+// Forces of .3, .3 and .6 have the mean .4 and are .75, .75 and 1.5 of it, to the last digit or not.
+TEST(PersistenceMeasures, AThresholdHoldsTheForcesOnIt) {
+  Packing p = box(2, {20, 10, 0});
+  for (int k = 0; k < 4; ++k) add_grain(p, {1.0 + k, 1, 0});
+  add_contact(p, 0, 1, .1 + .2);
+  add_contact(p, 1, 2, .3);
+  add_contact(p, 2, 3, .6);
+  const Table t = betti_measure().evaluate(Snapshot(p, {}));
+  const std::vector<double> threshold = t.numbers("threshold"), b0 = t.numbers("b0");
+  for (std::size_t k = 0; k < threshold.size(); ++k) EXPECT_EQ(b0[k], threshold[k] <= 1.5 ? 1 : 0) << threshold[k];
+}
+
 TEST(PersistenceMeasures, OfAHollowOctahedron) {
   const Packing p = octahedron();
   const Table t = betti_measure().evaluate(Snapshot(p, {}));

@@ -47,6 +47,28 @@ TEST(Bins, of_the_second_study_call_a_lifetime_at_the_border_rough) {
   EXPECT_EQ(count(point(3, 2.75), closed), kStrong);
 }
 
+// Tenths of forces, whose lifetimes are 0.10000000000000009 and 0.09999999999999998 in a computer.
+TEST(Bins, a_decimal_lifetime_on_the_border_is_on_it_however_it_is_rounded) {
+  const BinOptions closed{.edge = RoughEdge::closed};
+  for (const auto& p : {point(1.1, 1.0), point(1.1 / 1.0, 11. / 11), point(3, 2.9), point(1.3, 1.2)}) {
+    EXPECT_EQ(count(p, closed), kRough) << p.birth;
+    EXPECT_NE(count(p), kRough) << p.birth;
+  }
+  EXPECT_EQ(count(point(.5, .4)), kWeak);
+  EXPECT_EQ(count(point(.5, .4), closed), kRough);
+}
+
+TEST(Bins, births_on_a_border_to_within_round_off_belong_to_the_stronger_bin) {
+  EXPECT_EQ(count(point(2.5 * (1 - 2e-16), 0)), kStrong);
+  EXPECT_EQ(count(point(.7 + .2 + .1, 0)), kMedium);  // .9999999999999999
+  EXPECT_EQ(count(point(1 - 1e-9, 0)), kWeak);
+}
+
+TEST(Bins, a_lifetime_of_round_off_is_none) {
+  EXPECT_EQ(count(point(1, .7 + .2 + .1)), kNone);
+  EXPECT_EQ(count(point(1, 1 - 1e-9)), kRough);
+}
+
 TEST(Bins, essential_classes_die_at_zero) {
   EXPECT_EQ(count(essential(4)), kStrong);
   EXPECT_EQ(count(essential(1.5, 1)), kMedium);
