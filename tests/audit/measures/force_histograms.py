@@ -1,0 +1,62 @@
+"""Distributions of the contacts' forces."""
+import numpy as np
+
+from contacts import grain_pairs
+from network import force_network
+from registry import audits
+
+
+def counted(values, edges):
+    """How many values lie in each bin: lower edge in, upper edge out."""
+    at = np.searchsorted(edges, values, side="right") - 1
+    return np.bincount(at[(at >= 0) & (at < len(edges) - 1)], minlength=len(edges) - 1)
+
+
+def linear_bins(name, values, options):
+    """Bins from 0 to contact_force_max, values in their mean."""
+    edges = options.contact_force_max * np.arange(options.contact_force_bins + 1) / options.contact_force_bins
+    count, width = counted(values, edges), options.contact_force_max / options.contact_force_bins
+    norm = len(values) * width
+    density = count / norm if norm else 0.0 * count
+    return {name: (edges[1:] + edges[:-1]) / 2, "density": density, "count": count,
+            "norm": np.full(len(count), norm, dtype=float)}
+
+
+def single_forces(packing):
+    """Normal forces above 0 of all contacts between grains, clusters' contacts each by itself; with their mean."""
+    force = packing.fn[grain_pairs(packing)]
+    force = force[force > 0]
+    return force, force.mean() if len(force) else 0.0
+
+
+def over_mean(packing):
+    force, mean = single_forces(packing)
+    return force / mean if mean else force
+
+
+@audits("force_distribution")
+def force_distribution(packing, options):
+    weights, low, high, n = force_network(packing, options).weight, options.force_min, options.force_max, options.force_bins
+    if options.force_scale == "log":
+        edges = low * (high / low) ** (np.arange(n + 1) / n)
+        centre = np.sqrt(edges[1:] * edges[:-1])
+    else:
+        edges = low + (high - low) * np.arange(n + 1) / n
+        centre = (edges[1:] + edges[:-1]) / 2
+    count = counted(weights, edges)
+    density = count / np.diff(edges) / len(weights) if len(weights) else 0.0 * count
+    return {"force": centre, "density": density, "count": count}
+
+
+@audits("contact_force_distribution")
+def contact_force_distribution(packing, options):
+    return linear_bins("force", over_mean(packing), options)
+
+
+@audits("contact_forces")
+def contact_forces(packing, options):
+    force, mean = single_forces(packing)
+    f = over_mean(packing)
+    share = lambda limit: float((f > limit).mean()) if len(f) else 0.0
+    return {"force_contacts": len(force), "mean_contact_force": mean, "fraction_above_max": share(options.contact_force_max),
+            "fraction_above_8": share(8), "largest_force": f.max() if len(f) else 0.0}

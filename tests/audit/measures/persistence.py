@@ -1,0 +1,59 @@
+"""Persistence diagrams and what is counted in them."""
+import numpy as np
+
+import persistence as homology
+from network import clamped, force_network
+from registry import Sum, audits
+
+CACHE = {}
+
+
+def points(packing, options):
+    """Points of the diagram of the force network, weights clamped."""
+    key = id(packing), options.force, options.clamp, options.remove_rattlers
+    if key not in CACHE:
+        network = force_network(packing, options)
+        CACHE[key] = homology.diagram(network.grains, network.edges, clamped(network, options), packing.dimension,
+                                      packing.dimension - 1)
+    return CACHE[key]
+
+
+@audits("diagram")
+def diagram(packing, options):
+    p = points(packing, options)
+    return {"dimension": p[:, 0].astype(int), "birth": p[:, 1], "death": p[:, 2], "essential": p[:, 3].astype(int)}
+
+
+@audits("persistence_bins")
+def persistence_bins(packing, options):
+    p, counts = points(packing, options), {}
+    p = p[(p[:, 1] > p[:, 2]) | (p[:, 0] == 0)]  # of length 0 only isolated grains
+    for k in (0, 1):
+        birth, life = p[p[:, 0] == k, 1], (p[:, 1] - p[:, 2])[p[:, 0] == k]
+        edge = np.abs(life - 0.1) < 1e-12
+        rough = ((life < 0.1) & ~edge) | (edge & options.rough_includes_edge)
+        bins = {"rough": rough, "strong": ~rough & (birth >= 2.5), "medium": ~rough & (birth >= 1) & (birth < 2.5),
+                "weak": ~rough & (birth < 1)}
+        counts.update({f"b{k}_{name}": int(inside.sum()) for name, inside in bins.items()})
+    return counts
+
+
+@audits("total_persistence")
+def total_persistence(packing, options):
+    p = points(packing, options)
+    return {f"tp{k}": float((p[:, 1] - p[:, 2])[p[:, 0] == k].sum()) for k in (0, 1, 2)}
+
+
+def thresholds(highest, step):
+    return step * np.arange(int(np.floor(highest / step + 1e-9)) + 1)
+
+
+@audits("betti")
+def betti(packing, options):
+    p, theta = points(packing, options), thresholds(options.betti_max, options.betti_step)
+    columns = {"threshold": Sum(theta, 1)}
+    for k in (0, 1, 2):
+        own = p[p[:, 0] == k]
+        alive = (own[:, 1] >= theta[:, None]) & ((own[:, 2] < theta[:, None]) | (own[:, 3] == 1))
+        columns[f"b{k}"] = alive.sum(axis=1)
+    return columns

@@ -1,0 +1,33 @@
+"""Walls and box."""
+import numpy as np
+
+from contacts import wall_contacts
+from measures.percolation import face_of
+from registry import audits
+
+
+def wall_forces(packing):
+    """Force of the grains on each wall along the normal outward, by wall number."""
+    forces = np.zeros(len(packing.walls))
+    for c in wall_contacts(packing):
+        w = -1 - packing.j[c]
+        forces[w] += packing.force[c] @ packing.walls[w]  # what a grain feels, the wall feels the other way round
+    return forces
+
+
+@audits("walls")
+def walls(packing, options):
+    forces = wall_forces(packing)
+    columns = {f"wall_force_{a}_{side}": 0.0 for a in "xyz" for side in ("lo", "hi")}
+    pressures = []
+    for normal, force in zip(packing.walls, forces):
+        axis, side = face_of(normal)
+        columns[f"wall_force_{'xyz'[axis]}_{'lo' if side > 0 else 'hi'}"] = force
+        pressures.append(force / (packing.space / packing.sides[axis]))
+    columns["wall_pressure"] = np.mean(pressures) if pressures else 0.0
+    return columns
+
+
+@audits("box")
+def box(packing, options):
+    return {f"box_l{a}": packing.sides[k] if k < packing.dimension else 0.0 for k, a in enumerate("xyz")}
