@@ -126,6 +126,7 @@ void Engine<D>::save(Archive& out) const {
   out["engine/box"] = reals(box_.length);
   out["engine/scalars"] =
       std::vector<double>{box_speed_, skin_, moved_, damped_, rubbed_, wall_work_, gravity_work_, dt_};
+  if (fastest_plane() > 0 || planes_moved_ > 0) out["engine/planes_moved"] = std::vector<double>{planes_moved_};
   Tally tally{};
   for (const Sums& sums : sums_)
     for (std::size_t k = 0; k < block; ++k) tally.deepest[k] = larger(tally.deepest[k], sums.tally.deepest[k]);
@@ -193,11 +194,14 @@ void Engine<D>::load(const Archive& in) {
   take(in, "engine/scalars", scalars, true);
   box_speed_ = scalars[0], skin_ = scalars[1], moved_ = scalars[2];
   damped_ = scalars[3], rubbed_ = scalars[4], wall_work_ = scalars[5], gravity_work_ = scalars[6];
+  const auto* planes = find_entry<std::vector<double>>(in, "engine/planes_moved");
+  planes_moved_ = planes && planes->size() == 1 ? (*planes)[0] : 0;
   const auto& deepest = fetch<std::vector<double>>(in, "engine/deepest");
   for (Sums& sums : sums_) sums.tally = {};
   for (std::size_t k = 0; k < block && k < deepest.size(); ++k) sums_[0].tally.deepest[k] = deepest[k];
   watch_until_ = -1;  // near pairs are looked through anew
   step_ = counters[3], lists_ = counters[4], stale_ = counters[5] != 0;
+  if (!planes && fastest_plane() > 0) stale_ = true;  // of a version that did not count how far planes move
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
   std::fill(wall_force_.begin(), wall_force_.end(), Vec<D>{});
 }

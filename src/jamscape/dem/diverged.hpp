@@ -5,7 +5,8 @@
 
 namespace jam {
 
-/// An overlap beyond a radius, or a number that is none. what() names the step, the grain, its place, and the
+/// An overlap beyond a radius, a grain outside its box, or a number that is none. what() names the step, the grain, its
+/// place, and the
 /// likely cause.
 class Diverged : public std::runtime_error {
  public:

@@ -1,5 +1,7 @@
 #include "jamscape/dem/engine.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,6 +52,7 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
     if (!setup.species.empty()) bodies_.species[k] = setup.species[k];
     mean += 2 * setup.radius[k];
     smallest_ = std::min(smallest_, setup.radius[k]);
+    largest_ = std::max(largest_, setup.radius[k]);
   }
   if (!setup.radius.empty()) diameter_ = mean / static_cast<double>(setup.radius.size());
   for (std::size_t w = 0; w < walls_.size(); ++w)
@@ -88,11 +91,24 @@ void Engine<D>::set_threads(int threads) {
   if (used != team_->size()) team_ = std::make_unique<ThreadTeam>(used);
 }
 
+/// A grain whose centre is beyond a plane, or beyond the line of a wall's bead centres, will not come back.
+template <int D>
+void Engine<D>::check_inside() const {
+  for (const EngineWall<D>& wall : walls_)
+    for (std::size_t k = 0; k < bodies_.grains; ++k) {
+      const double beyond = (wall.high ? 1.0 : -1.0) * (bodies_.row(k)[wall.axis] - wall.position);
+      if (!(beyond > 0)) continue;
+      fail(k, fmt::format("is outside its box, {:.3g} beyond the {} wall at {} = {:.6g}", beyond,
+                          wall.high ? "upper" : "lower", "xyz"[wall.axis], wall.position));
+    }
+}
+
 template <int D>
 void Engine<D>::check() const {
   for (std::size_t k = 0; k < bodies_.count(); ++k)
     for (std::size_t c = 0; c < Row<D>::stride; ++c)
       if (!std::isfinite(bodies_.row(k)[c])) fail(k, "has a position or velocity that is not a number");
+  check_inside();
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     if (pairs_.i[k] >= bodies_.grains) continue;
     Vec<D> d = bodies_.position(pairs_.j[k]) - bodies_.position(pairs_.i[k]);

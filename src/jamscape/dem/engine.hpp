@@ -71,7 +71,8 @@ class Engine {
   /// `n` whole steps; the state then awaits compute_forces().
   void run(std::int64_t n);
 
-  /// This instant in full, between compute_forces() and advance(). Checks the contacts against the forces just summed.
+  /// This instant in full, between compute_forces() and advance(). Checks the contacts against the forces just summed,
+  /// and that no grain is outside the box; throws Diverged.
   Packing record() const;
 
   /// Translation and rotation, with the velocities the forces see (Verlet: half a step behind).
@@ -85,9 +86,10 @@ class Engine {
   const std::vector<EngineWall<D>>& walls() const { return walls_; }
   const Periodic<D>& box() const { return box_; }
   void set_wall_velocity(std::size_t wall, double velocity);
-  /// A periodic box shortens by 2 `speed` a unit of time in every direction, and the grains' positions with it.
+  /// A periodic box, a square or a cube, shortens by 2 `speed` a unit of time in every direction, and the grains'
+  /// positions with it. Their velocities are those beside that motion; the dashpots feel both.
   void set_box_speed(double speed) { box_speed_ = speed; }
-  /// Finds numbers that are none; throws Diverged.
+  /// Finds numbers that are none, bodies pressed through each other and grains outside the box; throws Diverged.
   void check() const;
 
   /// Everything that determines what follows, bit for bit.
@@ -124,6 +126,11 @@ class Engine {
   void move_bodies(std::size_t part, std::size_t stretch);
   void end_step();
   void shrink_box();
+  double closing_in_a_step(double speed2) const;
+  /// See PairArrays.
+  double shrinking() const { return box_speed_ == 0 ? 0 : 2 * box_speed_ / box_.length[0]; }
+  double fastest_plane() const;
+  void check_inside() const;
   [[noreturn]] void fail(
       std::size_t body, const std::string& problem,
       const std::string& reason = "the time step is too long for the stiffness, or the walls are too fast") const;
@@ -132,7 +139,7 @@ class Engine {
   NormalLaw kind_;
   PairLaw<> grain_law_, wall_law_;
   Scheme scheme_;
-  double dt_, smallest_ = 0, diameter_ = 1;
+  double dt_, smallest_ = 0, largest_ = 0, diameter_ = 1;
 
   Bodies<D> bodies_;
   Parts parts_;
@@ -160,6 +167,7 @@ class Engine {
 
   std::int64_t step_ = 0;
   double skin_ = 0, moved_ = 0;  ///< moved_: no body has gone farther since the list was made
+  double planes_moved_ = 0;      ///< and no plane
   bool stale_ = true;
   std::int64_t lists_ = 0;  ///< made so far; grains are reordered at some of them
   double damped_ = 0, rubbed_ = 0, wall_work_ = 0, gravity_work_ = 0;

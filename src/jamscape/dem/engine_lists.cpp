@@ -31,6 +31,7 @@ PairArrays Engine<D>::pair_arrays(std::size_t part) {
           nullptr,
           shifts_.data(),
           dt_,
+          shrinking(),
           &sums_[part].tally,
           {watch_i_.data(), watch_j_.data(), watch_shift_.data(), watch_pair_.data(), watch_touching_.data()},
           bodies_.nobody(part)};
@@ -64,8 +65,8 @@ void Engine<D>::relist() {
     plane_spring[plane_wall_[q] * bodies_.grains + old_id[plane_grain_[q]]] = plane_spring_[q];
 
   if (lists_++ % lists_per_order == 0) bodies_.reorder(spatial_order(bodies_));
-  const double closing = 2 * std::sqrt(speed2) * dt_;
-  skin_ = std::clamp(std::sqrt(list_cost * diameter_ * closing), thinnest_skin * diameter_, widest_skin * diameter_);
+  const double closing = closing_in_a_step(speed2), fastest = std::max(closing, 2 * fastest_plane() * dt_);
+  skin_ = std::clamp(std::sqrt(list_cost * diameter_ * fastest), thinnest_skin * diameter_, widest_skin * diameter_);
   pairs_ = list_pairs<D>(bodies_, box_, skin_, pairs_, old_id, parts_, *kernels_, *team_);
 
   plane_grain_.clear(), plane_wall_.clear(), plane_spring_.clear();
@@ -84,7 +85,7 @@ void Engine<D>::relist() {
     }
     first_plane_.push_back(plane_grain_.size());
   }
-  moved_ = 0;
+  moved_ = planes_moved_ = 0;
   watch_until_ = -1;
   closing_ = closing;
   stale_ = false;

@@ -119,7 +119,7 @@ void Engine<D>::add_up() {
       wall_work_ -= wall_force_[static_cast<std::size_t>(&wall - walls_.data())][wall.axis] * wall.velocity * dt_;
   damped_ += damped * dt_;
   rubbed_ += rubbed;
-  if (box_speed_ != 0) wall_work_ += 2 * box_speed_ * dt_ / box_.length[0] * virial;
+  if (box_speed_ != 0) wall_work_ += shrinking() * dt_ * virial;
 }
 
 /// Moves the walls, and sees how far bodies may have come.
@@ -137,8 +137,9 @@ void Engine<D>::end_step() {
   if (box_speed_ != 0) shrink_box();
   // Gear moves by v dt + a dt^2/2 + ...: the larger of the speeds before and after, and a little more, bounds it
   moved_ += 1.02 * std::sqrt(speed2) * dt_;
-  closing_ = 2 * std::sqrt(speed2) * dt_;
-  stale_ = stale_ || !(2 * moved_ < skin_);
+  planes_moved_ += 1.02 * fastest_plane() * dt_;
+  closing_ = closing_in_a_step(speed2);
+  stale_ = stale_ || !(2 * moved_ < skin_) || !(moved_ + planes_moved_ < skin_);
   ++step_;
   if (step_ % 64 == 0) {
     double deepest = 0;
@@ -148,6 +149,14 @@ void Engine<D>::end_step() {
   }
 }
 
+/// How much nearer two bodies of at most that speed come in a step.
+template <int D>
+double Engine<D>::closing_in_a_step(double speed2) const {
+  return (2 * std::sqrt(speed2) + 2 * largest_ * std::abs(shrinking())) * dt_;
+}
+
+/// Positions are scaled with the box, velocities are those beside that motion: the velocity of a place of the packing
+/// is v - shrinking() (x - lo).
 template <int D>
 void Engine<D>::shrink_box() {
   double strain = 0;
@@ -163,7 +172,7 @@ void Engine<D>::shrink_box() {
     strain = std::max(strain, std::abs(1 - factor));
   }
   shifts_ = image_shifts<D>(box_);
-  moved_ += strain * diameter_;
+  moved_ += strain * (largest_ + skin_ / 2);  // half of what two listed bodies come closer by
 }
 
 #define JAM_INSTANTIATE(D)                                        \
@@ -177,6 +186,7 @@ void Engine<D>::shrink_box() {
   template void Engine<D>::move_bodies(std::size_t, std::size_t); \
   template void Engine<D>::add_up();                              \
   template void Engine<D>::end_step();                            \
+  template double Engine<D>::closing_in_a_step(double) const;     \
   template void Engine<D>::shrink_box();
 JAM_INSTANTIATE(2)
 JAM_INSTANTIATE(3)

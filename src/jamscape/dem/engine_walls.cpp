@@ -1,4 +1,7 @@
 // Walls and gravity.
+#include <algorithm>
+#include <cmath>
+
 #include "jamscape/dem/engine.hpp"
 #include "jamscape/dem/spin.hpp"
 
@@ -16,6 +19,15 @@ void Engine<D>::set_wall_velocity(std::size_t w, double velocity) {
       bodies_.row(first_bead_[w] + b)[Row<D>::velocity + 1 - static_cast<std::size_t>(wall.axis)] =
           -2 * inward * wall.along[b];
   }
+}
+
+/// Grains may be hit while they are at rest: planes age the list as bodies do (beads are bodies).
+template <int D>
+double Engine<D>::fastest_plane() const {
+  double fastest = 0;
+  for (const EngineWall<D>& wall : walls_)
+    if (wall.kind == WallKind::plane) fastest = std::max(fastest, std::abs(wall.velocity));
+  return fastest;
 }
 
 template <int D>
@@ -95,6 +107,7 @@ void Engine<D>::collect_beads() {
 
 #define JAM_INSTANTIATE(D)                                         \
   template void Engine<D>::set_wall_velocity(std::size_t, double); \
+  template double Engine<D>::fastest_plane() const;                \
   template void Engine<D>::touch_planes(std::size_t, std::size_t); \
   template void Engine<D>::pull_down(std::size_t, std::size_t);    \
   template void Engine<D>::collect_beads();

@@ -62,6 +62,7 @@ struct PairArrays {
   const std::uint32_t* shift;  ///< row of `shifts` to add to the position of j; nullptr: none
   const double* shifts;        ///< rows of four doubles
   double dt;
+  double shrinking;  ///< rate of the box, -dL/dt / L: bodies come closer by as much of their distance
   Tally* tally;
   WatchArrays watch;
   std::uint32_t nobody;  ///< a body out of reach of the next one: they fill up blocks

@@ -25,6 +25,7 @@ void pair_loop(const PairArrays& p, const PairRange& range) {
       const double shift = p.shift ? p.shifts[4 * p.shift[k] + static_cast<std::size_t>(c)] : 0.0;
       d[c] = (p.shift ? b[c] + shift : b[c]) - a[c];
       v[c] = a[R::velocity + static_cast<std::size_t>(c)] - b[R::velocity + static_cast<std::size_t>(c)];
+      if (p.shrinking != 0) v[c] = add_product<fused<D>>(v[c], p.shrinking, d[c]);
     }
     const double reach = a[R::radius] + b[R::radius], r2 = dot<fused<D>>(d, d);
     if (!(r2 < reach * reach)) {

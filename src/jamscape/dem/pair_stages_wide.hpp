@@ -90,7 +90,7 @@ template <int D>
 struct Touch {
   Vec<D, Lanes> n;
   Lanes x, r, lever_i, lever_j;
-  Vec<D, Lanes> v;     ///< v_i - v_j
+  Vec<D, Lanes> v;     ///< v_i - v_j, and what the box adds
   Axial<D, Lanes> lw;  ///< l_i w_i + l_j w_j; with friction only
   Mask touching;
 };
@@ -146,6 +146,8 @@ JAM_INLINE void to_touch(const PairArrays& p, const PairLaw<Lanes>& c, const Pai
       for (int e = 0; e < 3; ++e) t.lw[e] = add_product<fused<D>>(t.lever_j * wb.c[e], t.lever_i, wa.c[e]);
     }
   }
+  if (p.shrinking != 0)
+    for (int e = 0; e < D; ++e) t.v[e] = add_product<fused<D>>(t.v[e], Lanes(p.shrinking), g.d[e]);
 }
 
 /// What `width` pairs do to their bodies: force and turn_i are added to the forces of i, force and back_j subtracted

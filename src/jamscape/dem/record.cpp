@@ -68,6 +68,7 @@ void sort_contacts(Contacts& c) {
 template <int D>
 Packing Engine<D>::record() const {
   using R = Row<D>;
+  check_inside();
   Packing out;
   out.dimension = D;
   out.step = step_;
@@ -148,8 +149,10 @@ Packing Engine<D>::record() const {
     t.mbar = pairs_.mbar[k];
     t.lever_i = a[R::radius] - law.lever_cut * t.x;
     t.lw = levered_spin<D>(a, t.lever_i) + levered_spin<D>(b, b[R::radius] - law.lever_cut * t.x);
-    for (int e = 0; e < D; ++e)
+    for (int e = 0; e < D; ++e) {
       t.v[e] = a[R::velocity + static_cast<std::size_t>(e)] - b[R::velocity + static_cast<std::size_t>(e)];
+      if (box_speed_ != 0) t.v[e] = add_product<fused<D>>(t.v[e], shrinking(), d[e]);
+    }
     if constexpr (D == 2)
       t.spring = *pairs_.spring(k);
     else
@@ -198,7 +201,9 @@ Packing Engine<D>::record() const {
     for (int e = 0; e < D; ++e) t.v[e] = a[R::velocity + static_cast<std::size_t>(e)];
     t.v[wall.axis] -= wall.velocity;
     t.spring = plane_spring_[q];
-    sums[bodies_.id[i]] += append_forces<D>(c, energy, wall_law_, kind_, t);
+    const Vec<D> force = append_forces<D>(c, energy, wall_law_, kind_, t);
+    sums[bodies_.id[i]] += force;
+    scale = std::max(scale, norm(force));
     c.point.push_back(widen<D>(bodies_.position(i) + (a[R::radius] - x / 2) * t.n));
     c.i.push_back(bodies_.id[i]);
     c.j.push_back(-1 - static_cast<std::int32_t>(w));

@@ -19,8 +19,9 @@ namespace jam {
 ///   3   clusters in a container
 ///   4   discs enough for several parts (dem/parts.hpp)
 ///   5   spheres, since sums of products are rounded once (`fused` in dem/kernel.hpp)
-///   6   periodic boxes, since the start has no mean velocity and rest is judged by the forces too
 ///   7   other boxes that begin with steps or rest, since both begin at start.packing_fraction in every realisation
+///   8   periodic boxes, since the start has no mean velocity, rest is judged by the forces too, and the dashpots feel
+///       the box shrink
 int physics_revision(const SystemOptions& system);
 
 /// What names the random numbers of one simulation.
