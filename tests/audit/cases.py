@@ -11,11 +11,11 @@ ALL = {"rows_every": 0}  # every measure at every packing fraction
 # Each setting with the measures that it can change; none: all of them.
 VARIANTS = [
     ("", {}, None),
-    ("no rattlers", {"remove_rattlers": True}, ["contacts", "backbone", "percolation", "level_sets", "force_distribution", "balance"]),
+    ("no rattlers", {"remove_rattlers": True}, None),
     ("total force", {"force": "total", "clamp": 0.0},
      ["contacts", "persistence_bins", "total_persistence", "percolation", "betti", "level_sets", "force_distribution",
       "diagram"]),
-    ("no clamp, edge rough", {"rough_includes_edge": True, "clamp": 0.0},
+    ("no clamp, edge rough", {"rough_includes_edge": True, "clamp": 0.0, "remove_rattlers": True},
      ["persistence_bins", "total_persistence", "diagram"]),
     ("other bins", {"force_scale": "linear", "force_min": 0.0, "force_max": 5.0, "force_bins": 20, "contact_force_max": 6.0,
                     "contact_force_bins": 24, "betti_step": 0.1, "betti_max": 2.0, "level_step": 0.1, "level_max": 2.0},

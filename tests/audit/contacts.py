@@ -3,8 +3,9 @@ import numpy as np
 
 
 def touching(packing):
-    """Contacts that exist, walls among them."""
-    return packing.overlap >= 0
+    """Contacts that are there: those that overlap or carry a force, walls among them."""
+    loaded = (packing.fn != 0) | np.any(packing.tangential != 0, axis=1)
+    return (packing.overlap >= 0) | loaded
 
 
 def grain_pairs(packing):

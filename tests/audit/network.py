@@ -31,6 +31,8 @@ def force_network(packing, options):
     kept = ~rattlers(packing) if options.remove_rattlers else np.ones(packing.count, dtype=bool)
     inside = kept[found[:, 0]] & kept[found[:, 1]]
     edges, force = found[inside, :2], force[inside]
+    if options.remove_rattlers:  # then a grain is a vertex through an edge only
+        kept = np.bincount(edges.ravel(), minlength=packing.count) > 0
     return Network(np.flatnonzero(kept), edges, found[inside, 2:], force, force.mean() if len(force) else 0.0)
 
 

@@ -1,15 +1,10 @@
 """Distributions of the contacts' forces."""
 import numpy as np
 
+from borders import counted, exceeds
 from contacts import grain_pairs
 from network import force_network
 from registry import audits
-
-
-def counted(values, edges):
-    """How many values lie in each bin: lower edge in, upper edge out."""
-    at = np.searchsorted(edges, values, side="right") - 1
-    return np.bincount(at[(at >= 0) & (at < len(edges) - 1)], minlength=len(edges) - 1)
 
 
 def linear_bins(name, values, options):
@@ -57,6 +52,6 @@ def contact_force_distribution(packing, options):
 def contact_forces(packing, options):
     force, mean = single_forces(packing)
     f = over_mean(packing)
-    share = lambda limit: float((f > limit).mean()) if len(f) else 0.0
+    share = lambda limit: float(exceeds(f, limit).mean()) if len(f) else 0.0
     return {"force_contacts": len(force), "mean_contact_force": mean, "fraction_above_max": share(options.contact_force_max),
             "fraction_above_8": share(8), "largest_force": f.max() if len(f) else 0.0}

@@ -2,6 +2,7 @@
 import numpy as np
 
 import fit
+from borders import exceeds
 from measures.force_histograms import linear_bins, over_mean
 from registry import Fit, audits
 
@@ -40,7 +41,7 @@ def bend(centre, count, norm):
 
 def nothing(f):
     """No fit to a handful of contacts."""
-    above = f[f > 1]
+    above = f[exceeds(f, 1)]
     return {**{name: np.nan for name in COLUMNS}, "tail_contacts": len(above), "tail_excess": (above - 1).sum()}
 
 
@@ -51,7 +52,7 @@ def force_tail(packing, options):
     centre, density, count, norm = bins["force"], bins["density"], bins["count"], bins["norm"][0]
     if len(f) < 3 or (count > 0).sum() < 4:
         return nothing(f)
-    above = f[f > 1]
+    above = f[exceeds(f, 1)]
     excess = (above - 1).sum()
     k, k_error = tail(centre, density)
     line, line_error = tail_loglinear(centre, density)

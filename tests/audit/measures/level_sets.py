@@ -2,8 +2,8 @@
 import numpy as np
 
 import persistence as homology
+from borders import exceeds, multiples
 from measures.percolation import percolating
-from measures.persistence import thresholds
 from network import clamped, components, force_network
 from registry import Sum, audits
 
@@ -21,13 +21,13 @@ def classes(network, weights, dimension, options):
 def level_sets(packing, options):
     network = force_network(packing, options)
     weights, n = clamped(network, options), packing.count
-    theta = thresholds(options.level_max, options.level_step)
+    theta = multiples(options.level_max, options.level_step)
     names = ("b0", "b1", "b2", "clusters", "cluster_grains", "percolating_x", "percolating_y", "percolating_z")
     counts = {name: [] for name in names}
     shape, fraction = [], []
     p = classes(network, weights, packing.dimension, options)
     for t in theta:
-        inside = weights > t
+        inside = exceeds(weights, t)
         edges = network.edges[inside]
         label = components(n, edges)
         joins = percolating(packing, label, edges, network.image[inside])
@@ -39,7 +39,7 @@ def level_sets(packing, options):
         links = np.array([(label[edges[:, 0]] == r).sum() for r in roots], dtype=int)
         counts["b0"].append(len(roots))
         for k in (1, 2):
-            counts[f"b{k}"].append(((p[:, 0] == k) & (p[:, 1] > t) & ((p[:, 2] <= t) | (p[:, 3] == 1))).sum())
+            counts[f"b{k}"].append(((p[:, 0] == k) & exceeds(p[:, 1], t) & ~(exceeds(p[:, 2], t) & (p[:, 3] == 0))).sum())
         counts["clusters"].append((~joined).sum())
         counts["cluster_grains"].append(grains[~joined].sum())
         for axis, name in enumerate("xyz"):

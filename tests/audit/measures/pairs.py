@@ -3,6 +3,7 @@ import warnings
 
 import numpy as np
 
+from borders import counted, multiples, reaches
 from registry import Drawn, Fit, Sum, audits
 
 
@@ -36,7 +37,7 @@ def away(packing, margins):
     for axis, margin in enumerate(margins):
         if not packing.periodic[axis]:
             x = packing.x[:, axis]
-            inside &= (x - packing.lo[axis] >= margin) & (packing.hi[axis] - x >= margin)
+            inside &= reaches(x - packing.lo[axis], margin) & reaches(packing.hi[axis] - x, margin)
     return inside
 
 
@@ -49,18 +50,17 @@ def shell(r, width, dimension):
 def shells(packing, references, free, edges):
     """For each bin: references whose shell is inside, and grains in their shells."""
     apart = distances(packing)
-    fits = references[:, None] & (edges[None, 1:] <= free[:, None])
+    fits = references[:, None] & (reaches(free[:, None], edges[None, 1:]))
     found = np.zeros((packing.count, len(edges) - 1), dtype=int)
     for g in np.flatnonzero(references):
-        found[g] = np.histogram(apart[g], bins=edges)[0]
+        found[g] = counted(apart[g], np.append(edges, 1e300))[:-1]  # of a shell the outer edge is out
     return fits, found * fits
 
 
 @audits("pair_correlation")
 def pair_correlation(packing, options):
     d = 2 * packing.radius.mean()
-    bins = int(np.floor(options.pair_range / options.pair_bin + 1e-9))
-    edges = options.pair_bin * np.arange(bins + 1) * d
+    edges = multiples(options.pair_range, options.pair_bin) * d
     margins = [0.0 if p else min(options.pair_margin * d, side / 6) for p, side in zip(packing.periodic, packing.sides)]
     references = away(packing, margins)
     density = references.sum() / np.prod(packing.sides - 2 * np.array(margins))
@@ -108,8 +108,7 @@ def radial(packing, options):
     """Centres of the bins; for each grain and bin: whether it is a reference there, grains in its shell, those of an ideal
     gas; which grains are references."""
     length, thin = rdf_length(packing), thin_axis(packing, options)
-    bins = int(np.floor(options.rdf_range / options.rdf_bin + 1e-9))
-    edges = options.rdf_bin * np.arange(bins + 1) * length
+    edges = multiples(options.rdf_range, options.rdf_bin) * length
     references = away(packing, rdf_margins(packing, options))
     inset = packing.shape[1] / 2 if packing.shape else packing.inset
     fits, found = shells(packing, references, room(packing, inset, thin), edges)

@@ -2,6 +2,7 @@
 import numpy as np
 
 import persistence as homology
+from borders import exceeds, multiples, reaches
 from network import clamped, force_network
 from registry import Sum, audits
 
@@ -30,10 +31,10 @@ def persistence_bins(packing, options):
     p = p[(p[:, 1] > p[:, 2]) | (p[:, 0] == 0)]  # of length 0 only isolated grains
     for k in (0, 1):
         birth, life = p[p[:, 0] == k, 1], (p[:, 1] - p[:, 2])[p[:, 0] == k]
-        edge = np.abs(life - 0.1) < 1e-12
-        rough = ((life < 0.1) & ~edge) | (edge & options.rough_includes_edge)
-        bins = {"rough": rough, "strong": ~rough & (birth >= 2.5), "medium": ~rough & (birth >= 1) & (birth < 2.5),
-                "weak": ~rough & (birth < 1)}
+        size = np.maximum(birth, 0.1)
+        rough = ~exceeds(life, 0.1, size) if options.rough_includes_edge else ~reaches(life, 0.1, size)
+        strong, medium = reaches(birth, 2.5), reaches(birth, 1)
+        bins = {"rough": rough, "strong": ~rough & strong, "medium": ~rough & medium & ~strong, "weak": ~rough & ~medium}
         counts.update({f"b{k}_{name}": int(inside.sum()) for name, inside in bins.items()})
     return counts
 
@@ -44,16 +45,13 @@ def total_persistence(packing, options):
     return {f"tp{k}": float((p[:, 1] - p[:, 2])[p[:, 0] == k].sum()) for k in (0, 1, 2)}
 
 
-def thresholds(highest, step):
-    return step * np.arange(int(np.floor(highest / step + 1e-9)) + 1)
-
-
 @audits("betti")
 def betti(packing, options):
-    p, theta = points(packing, options), thresholds(options.betti_max, options.betti_step)
+    p, theta = points(packing, options), multiples(options.betti_max, options.betti_step)
     columns = {"threshold": Sum(theta, 1)}
     for k in (0, 1, 2):
         own = p[p[:, 0] == k]
-        alive = (own[:, 1] >= theta[:, None]) & ((own[:, 2] < theta[:, None]) | (own[:, 3] == 1))
+        gone = reaches(own[:, 2], theta[:, None]) & (own[:, 3] == 0)
+        alive = reaches(own[:, 1], theta[:, None]) & ~gone
         columns[f"b{k}"] = alive.sum(axis=1)
     return columns
