@@ -27,6 +27,8 @@ def compare(column, table, ours):
     if isinstance(ours, Fit):
         error = ours.error if not isinstance(ours.error, str) else numbers(table[ours.error])[0]
         tolerance = 1e-3 * error if math.isfinite(error) else RELATIVE * abs(ours.value)
+        if ours.may_miss and math.isnan(numbers(table[column])[0]):
+            return []
         allowed, ours = f"{tolerance:.2g}, of a fit", ours.value
     elif isinstance(ours, Drawn):
         tolerance = abs(ours.value) * (ours.factor - 1)

@@ -24,6 +24,7 @@ class Fit:
     """A fitted value: equal to 1e-3 of its error, which stands in the program's column of that name or is a number."""
     value: float
     error: object
+    may_miss: bool = False   # the documentation lets it be missing
 
 
 @dataclass

@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import measures  # noqa: F401  registers the audits
+import networks
 import program
 from cases import cases
 from compare import compare
@@ -90,7 +91,8 @@ def main():
                 if name in AUDITS and (not asked.measure or name in asked.measure):
                     count[name] += audit(case, name, skipped, differences)
                     seen.add(case.name)
-    print(f"{len(seen)} packings and settings, {len(names)} measures, {sum(count.values())} columns compared, "
+        networked = 0 if asked.measure or asked.packing else networks.audit(Path(folder), differences)
+    print(f"{len(seen)} packings and settings, {len(names)} measures, {sum(count.values()) + networked} columns compared, "
           f"{time.time() - began:.0f} s")
     if differences:
         print(f"{len(differences)} differences:")

@@ -20,12 +20,11 @@ def bond_order(packing, options):
     printed, closed, local, complex_sum = 0.0, 0.0, 0.0, 0j
     if packing.dimension == 2:
         for theta in bonds(packing):
-            if len(theta) == 0:
+            if len(theta) < 2:
                 continue
-            if len(theta) > 1:
-                gaps = np.diff(theta)
-                printed += np.cos(6 * gaps).mean()
-                closed += np.cos(6 * np.append(gaps, theta[0] - theta[-1])).mean()
+            gaps = np.diff(theta)
+            printed += np.cos(6 * gaps).mean()
+            closed += np.cos(6 * np.append(gaps, theta[0] - theta[-1])).mean()
             phase = np.exp(6j * theta).mean()
             local += abs(phase)
             complex_sum += phase

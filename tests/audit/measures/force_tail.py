@@ -70,7 +70,8 @@ def force_tail(packing, options):
             "tail_contacts": len(above), "tail_excess": excess,
             "mueth_a": Fit(mueth_fit[0], errors[0]), "mueth_b": Fit(mueth_fit[1], errors[1]),
             "mueth_beta": Fit(mueth_fit[2], errors[2]),
-            "gauss_centre": Fit(gauss[1], gauss_errors[1]), "gauss_width": Fit(abs(gauss[2]), gauss_errors[2]),
+            "gauss_centre": Fit(gauss[1], gauss_errors[1], gauss[1] < 0),
+            "gauss_width": Fit(abs(gauss[2]), gauss_errors[2], gauss[1] < 0),
             "peak_position": position, "peak_prominence": prominence, "peak_prominence_error": counting,
             "type_a": int(prominence > 2 * counting),
             "bend": Fit(curvature, "bend_error"), "bend_error": Fit(curvature_error, curvature_error)}

@@ -25,10 +25,11 @@ def diagram(packing, options):
     return {"dimension": p[:, 0].astype(int), "birth": p[:, 1], "death": p[:, 2], "essential": p[:, 3].astype(int)}
 
 
-@audits("persistence_bins")
-def persistence_bins(packing, options):
-    p, counts = points(packing, options), {}
-    p = p[(p[:, 1] > p[:, 2]) | (p[:, 0] == 0)]  # of length 0 only isolated grains
+def binned(p, options):
+    """Points of a diagram by strength."""
+    counts = {}
+    lasting = exceeds(p[:, 1] - p[:, 2], 0, p[:, 1])
+    p = p[lasting | ((p[:, 0] == 0) & (p[:, 1] == 0))]  # of length 0 only isolated grains
     for k in (0, 1):
         birth, life = p[p[:, 0] == k, 1], (p[:, 1] - p[:, 2])[p[:, 0] == k]
         size = np.maximum(birth, 0.1)
@@ -39,10 +40,18 @@ def persistence_bins(packing, options):
     return counts
 
 
+def totals(p):
+    return {f"tp{k}": float((p[:, 1] - p[:, 2])[p[:, 0] == k].sum()) for k in (0, 1, 2)}
+
+
+@audits("persistence_bins")
+def persistence_bins(packing, options):
+    return binned(points(packing, options), options)
+
+
 @audits("total_persistence")
 def total_persistence(packing, options):
-    p = points(packing, options)
-    return {f"tp{k}": float((p[:, 1] - p[:, 2])[p[:, 0] == k].sum()) for k in (0, 1, 2)}
+    return totals(points(packing, options))
 
 
 @audits("betti")
