@@ -60,8 +60,8 @@ TEST(ShrinkingBox, the_ledger_closes_with_the_step) {
     };
     const double coarse = part(0.02), fine = part(0.005);
     EXPECT_LT(fine, 0.01) << friction;
-    if (friction == 0)
-      EXPECT_LT(fine, coarse / 3);  // with friction the paths of two steps part, and so do their drifts
+    if (friction > 0) continue;  // the paths of two steps part, and so do their drifts
+    EXPECT_LT(fine, coarse / 3);
   }
 }
 

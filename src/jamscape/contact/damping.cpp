@@ -48,6 +48,7 @@ PairLaw<> law_with(const ContactOptions& o, double k_n, double gamma_n, double m
   law.lever_cut = o.lever == LeverArm::contact_point ? 0.5 : 0.0;
   law.floor = o.damping == DampingRule::clipped ? 0.0 : -std::numeric_limits<double>::infinity();
   law.printed = o.damping == DampingRule::printed;
+  law.springless = law.k_t == 0;
   return law;
 }
 

@@ -28,13 +28,14 @@ struct PairLaw {
   T k_n, gamma_n, k_t, gamma_t;
   T inverse_k_t;  ///< 0 where k_t is 0
   T mu;
-  T lever_cut;   ///< lever arm = R - lever_cut x: 0 or 1/2
-  T floor;       ///< smallest normal force: -infinity (unclipped) or 0 (clipped)
-  bool printed;  ///< F_n = 0 where |dashpot| > |spring|: the rule printed in S2
+  T lever_cut;              ///< lever arm = R - lever_cut x: 0 or 1/2
+  T floor;                  ///< smallest normal force: -infinity (unclipped) or 0 (clipped)
+  bool printed;             ///< F_n = 0 where |dashpot| > |spring|: the rule printed in S2
+  bool springless = false;  ///< k_t = 0: the dashpot alone holds a contact tangentially
 
   template <class U>
   JAM_INLINE PairLaw<U> as() const {
-    return {U(k_n), U(gamma_n), U(k_t), U(gamma_t), U(inverse_k_t), U(mu), U(lever_cut), U(floor), printed};
+    return {U(k_n), U(gamma_n), U(k_t), U(gamma_t), U(inverse_k_t), U(mu), U(lever_cut), U(floor), printed, springless};
   }
 };
 
@@ -210,6 +211,8 @@ JAM_INLINE TouchForce<D, T> touch(const PairLaw<T>& c, const Vec<D, T>& n, T x, 
       spring = select(slides, c.inverse_k_t * (dashpot - force), trial);
       if constexpr (!shaped) {
         const T lost = T(0.5) * c.k_t * (dot<fused>(trial, trial) - dot<fused>(spring, spring));
+        // without a spring to reset, friction takes the power of the dashpot as it was cut
+        if (c.springless) dash_power = select(slides, dot<fused>(force, v_t), dash_power);
         out.rubbed = select(slides, lost - dash_power * dt, T(0.0));
         dash_power = select(slides, T(0.0), dash_power);
       }

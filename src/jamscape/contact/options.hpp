@@ -45,6 +45,15 @@ struct EnumNames<LeverArm> {
                                                                      {LeverArm::contact_point, "contact_point"}};
 };
 
+/// What a tangential spring of spheres does when the pair turns about its own normal: nothing, it is only projected
+/// onto the tangential plane (S1, S2, LAMMPS); or it turns along with the mean spin of the two about the normal.
+enum class SpringTurn { projected, twirled };
+template <>
+struct EnumNames<SpringTurn> {
+  static constexpr std::pair<SpringTurn, std::string_view> values[] = {{SpringTurn::projected, "projected"},
+                                                                       {SpringTurn::twirled, "twirled"}};
+};
+
 struct ContactOptions {
   NormalLaw law = NormalLaw::linear;
   double stiffness = std::numbers::pi * std::numbers::pi / 2;
@@ -55,6 +64,7 @@ struct ContactOptions {
   double tangential_damping = 1.0;
   DampingRule damping = DampingRule::unclipped;
   LeverArm lever = LeverArm::radius;
+  SpringTurn spring_turn = SpringTurn::projected;
   double impact_speed = 1;
   double wall_friction = -1;
   double wall_stiffness = 1;
@@ -101,6 +111,10 @@ struct ContactOptions {
               .max = 10});
     v.option("damping", damping, {.text = "rule for a dashpot stronger than the spring", .source = "theory 2.1, 2.2"});
     v.option("lever", lever, {.text = "lever arm of the tangential force", .source = "theory 2.3"});
+    v.option("spring_turn", spring_turn,
+             {.text = "spheres: tangential springs are projected onto the tangential plane, or also twirled with pairs "
+                      "that turn about their own normal",
+              .source = "theory 2.3"});
     v.option("wall_friction", wall_friction,
              {.text = "Coulomb coefficient between grains and walls; -1: as between grains", .min = -1, .max = 1e6});
     v.option("wall_stiffness", wall_stiffness,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "jamscape/base/error.hpp"
 
@@ -15,6 +17,7 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
       kind_(setup.kind),
       grain_law_(setup.grain_law),
       wall_law_(setup.wall_law),
+      spring_turn_(setup.spring_turn),
       scheme_(setup.scheme),
       dt_(setup.dt),
       walls_(setup.walls),
@@ -117,20 +120,69 @@ void Engine<D>::check() const {
     if (overlap <= deepest_overlap * std::min(bodies_.radius(pairs_.i[k]), bodies_.radius(pairs_.j[k]))) continue;
     const std::string depth = std::to_string(overlap) + ", more than a radius";
     if (pairs_.j[k] < bodies_.grains) fail(pairs_.i[k], "overlaps its neighbour by " + depth);
-    fail(
-        pairs_.i[k], "is pressed into a wall bead by " + depth,
-        "it is being squeezed out of the box, as happens in corners at high compression, or the time step is too long");
+    fail(pairs_.i[k], "is pressed into a wall bead by " + depth,
+         "it is being squeezed out of the box, as happens in corners at high compression");
   }
 }
 
+/// In one step a body may not go farther than a radius: it would pass through others. `bound` is no less than the
+/// largest speed.
 template <int D>
-void Engine<D>::fail(std::size_t body, const std::string& problem, const std::string& reason) const {
+void Engine<D>::check_speed(double bound) const {
+  if (bound * dt_ < smallest_) return;
+  for (std::size_t k = 0; k < bodies_.grains; ++k) {
+    double v2 = 0;
+    for (std::size_t c = 0; c < D; ++c) {
+      const double v = bodies_.row(k)[Row<D>::velocity + c];
+      v2 += v * v;
+    }
+    if (!(std::sqrt(v2) * dt_ < smallest_))
+      fail(k, fmt::format("moves {:.3g} in one time step, more than the smallest radius", std::sqrt(v2) * dt_));
+  }
+}
+
+/// What of the state makes grains go astray: a box too full, a step too long for the stiffness, or `otherwise`.
+template <int D>
+std::string Engine<D>::likely_cause(const std::string& otherwise) const {
+  constexpr double overfull = D == 2 ? 0.95 : 0.8;  // of the box: everything overlaps by some percent
+  constexpr double steps_needed = 12, deep = 0.1;   // time steps a contact lasts; overlap over diameter
+  double room = 1;
+  for (int axis = 0; axis < D; ++axis) {
+    double lo = 0, hi = box_.length[static_cast<std::size_t>(axis)];
+    for (const EngineWall<D>& wall : walls_)
+      if (wall.axis == axis) (wall.high ? hi : lo) = wall.position;
+    room *= hi - lo;
+  }
+  double filled = 0, lightest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < bodies_.grains; ++k) {
+    const double r = bodies_.radius(k);
+    filled += D == 2 ? std::numbers::pi * r * r : 4 * std::numbers::pi / 3 * r * r * r;
+    lightest = std::min(lightest, bodies_.mass[k]);
+  }
+  if (room > 0 && filled > overfull * room)
+    return fmt::format(
+        "the box is too full: the {} of the grains is {:.3g} of it, whatever the packing fraction is counted by",
+        D == 2 ? "area" : "volume", filled / room);
+  const double k_n =
+      std::max(grain_law_.k_n, wall_law_.k_n) * (hertzian(kind_) ? 1.5 * std::sqrt(deep * diameter_) : 1.0);
+  const double lasts = std::numbers::pi * std::sqrt(lightest / 2 / k_n);
+  if (lasts < steps_needed * dt_)
+    return fmt::format(
+        "the time step {:.3g} is too long for the stiffness: a contact of the lightest grains lasts {:.2g}; {:.2g} "
+        "would "
+        "do",
+        dt_, lasts, lasts / 40);
+  return otherwise;
+}
+
+template <int D>
+void Engine<D>::fail(std::size_t body, const std::string& problem, const std::string& otherwise) const {
   std::string place;
   for (int c = 0; c < D; ++c) place += (c ? ", " : "") + std::to_string(bodies_.row(body)[c]);
   throw Diverged("step " + std::to_string(step_) + ": " +
                  (body < bodies_.grains ? "grain " + std::to_string(bodies_.id[body])
                                         : "wall bead " + std::to_string(body - bodies_.grains)) +
-                 " at (" + place + ") " + problem + "; likely " + reason);
+                 " at (" + place + ") " + problem + "; likely " + likely_cause(otherwise));
 }
 
 template class Engine<2>;

@@ -52,6 +52,7 @@ struct EngineSetup {
   Vec<D> gravity{};  ///< acceleration of the grains
   NormalLaw kind = NormalLaw::linear;
   PairLaw<> grain_law{}, wall_law{};
+  SpringTurn spring_turn = SpringTurn::projected;
   Scheme scheme = Scheme::verlet;
   double dt = 0.02;
 };
@@ -117,6 +118,7 @@ class Engine {
   PairRange range_of(std::size_t group, std::size_t run) const;
   void watch_near();
   void begin_sums();
+  void twirl_springs();
   void sum_pairs(std::size_t group);
   void sum_own(std::size_t part, bool move);
   void touch_planes(std::size_t part, std::size_t stretch);
@@ -131,13 +133,15 @@ class Engine {
   double shrinking() const { return box_speed_ == 0 ? 0 : 2 * box_speed_ / box_.length[0]; }
   double fastest_plane() const;
   void check_inside() const;
-  [[noreturn]] void fail(
-      std::size_t body, const std::string& problem,
-      const std::string& reason = "the time step is too long for the stiffness, or the walls are too fast") const;
+  void check_speed(double bound) const;
+  std::string likely_cause(const std::string& otherwise) const;
+  [[noreturn]] void fail(std::size_t body, const std::string& problem,
+                         const std::string& otherwise = "grains or walls are too fast for the stiffness") const;
 
   const Kernels* kernels_;
   NormalLaw kind_;
   PairLaw<> grain_law_, wall_law_;
+  SpringTurn spring_turn_;
   Scheme scheme_;
   double dt_, smallest_ = 0, largest_ = 0, diameter_ = 1;
 

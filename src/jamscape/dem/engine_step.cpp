@@ -48,6 +48,7 @@ template <int D>
 void Engine<D>::begin_sums() {
   if (stale_) relist();
   if (!(moved_ < watch_until_)) watch_near();
+  if (D == 3 && spring_turn_ == SpringTurn::twirled) twirl_springs();
   few_pushed_ = pairs_.touching() < bodies_.grains / 2;
   for (Sums& sums : sums_) {
     for (auto* slots : {&sums.tally.damped, &sums.tally.rubbed, &sums.tally.virial})
@@ -141,6 +142,7 @@ void Engine<D>::end_step() {
   closing_ = closing_in_a_step(speed2);
   stale_ = stale_ || !(2 * moved_ < skin_) || !(moved_ + planes_moved_ < skin_);
   ++step_;
+  check_speed(std::sqrt(speed2));
   if (step_ % 64 == 0) {
     double deepest = 0;
     for (Sums& sums : sums_)

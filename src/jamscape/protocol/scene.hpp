@@ -3,7 +3,7 @@
 //   engine()             the simulation
 //   begin(leg)           sets the walls in motion for this leg
 //   reached(leg)         a press leg has its force (forces summed)
-//   work_per_look        grain-steps between two looks at the hooks: some tenths of a second
+//   work_per_glance      grain-steps between two glances at the clock: about a millisecond
 //   packing_fraction()   now, in the study's convention; packing_fraction_plain() with the true grain area (volume)
 #pragma once
 
@@ -19,7 +19,7 @@ namespace jam {
 template <int D>
 class BoxScene {
  public:
-  static constexpr double work_per_look = 8e6;
+  static constexpr double work_per_glance = 2e4;
 
   BoxScene(const SystemOptions& system, const TaskKey& key);
 
@@ -39,7 +39,7 @@ class BoxScene {
 /// Rigid clusters in a container with a lid.
 class ContainerScene {
  public:
-  static constexpr double work_per_look = 1e6;
+  static constexpr double work_per_glance = 2500;
 
   ContainerScene(const SystemOptions& system, const TaskKey& key);
 

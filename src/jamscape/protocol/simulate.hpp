@@ -22,6 +22,8 @@ namespace jam {
 ///   7   other boxes that begin with steps or rest, since both begin at start.packing_fraction in every realisation
 ///   8   periodic boxes, since the start has no mean velocity, rest is judged by the forces too, and the dashpots feel
 ///       the box shrink
+///   9   linear laws with friction and no tangential spring, since sliding is booked with the dashpot's power as it is
+///       cut (the ledger alone)
 int physics_revision(const SystemOptions& system);
 
 /// What names the random numbers of one simulation.
@@ -65,7 +67,7 @@ struct Progress {
 struct Hooks {
   /// That share the steps of a large packing of discs or spheres (Engine::set_threads); no bit depends on them.
   int threads = 1;
-  /// Steps between two looks at stop, checkpoint_due and progress; 0: some tenths of a second's work.
+  /// Steps between two looks at stop, checkpoint_due and progress; 0: by the clock, some times a second.
   std::int64_t look_every = 0;
   /// Every frame not taken before the checkpoint started from, in order; `index` counts from 0 over the whole plan.
   std::function<void(std::size_t index, const Packing&)> frame;

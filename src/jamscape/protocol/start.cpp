@@ -118,6 +118,11 @@ StartBox start_box(const SystemOptions& system, const std::vector<double>& diame
 }
 
 void check_start(const SystemOptions& system) {
+  if (system.contact.spring_turn == SpringTurn::twirled &&
+      (system.domain.dimension == 2 || is_container(system.domain.walls)))
+    throw usage_error("contact.spring_turn: only springs of spheres in three dimensions can be twirled", {},
+                      system.domain.dimension == 2 ? "leave it out: in two dimensions springs turn with the contact"
+                                                   : "leave it out: springs of clusters are projected");
   if (system.contact.damping == DampingRule::printed || system.contact.damping_ratio >= 0) {  // others always can be
     grain_law(system.contact, 1.0);
     wall_law(system.contact, 1.0);
@@ -141,6 +146,7 @@ EngineSetup<D> start(const SystemOptions& system, const TaskKey& key) {
   setup.kind = system.contact.law;
   setup.grain_law = grain_law(system.contact, 1.0);
   setup.wall_law = wall_law(system.contact, 1.0);
+  setup.spring_turn = system.contact.spring_turn;
   setup.scheme = system.integrator.scheme;
   setup.dt = system.integrator.step;
   setup.gravity[1] = -system.domain.gravity;
