@@ -1,9 +1,14 @@
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <system_error>
 
 #include "commands.hpp"
+#include "complain.hpp"
+#include "jamscape/base/file_lacks.hpp"
 #include "jamscape/base/nearest.hpp"
 #include "jamscape/study/version.hpp"
 
@@ -52,17 +57,35 @@ ExitCode run_program(int argc, char** argv) {
   return action();
 }
 
+/// The output may be a full disk or a pipe without a reader: what did not arrive is said, and is no success.
+ExitCode check_output(ExitCode code) {
+  errno = 0;
+  if (code != ExitCode::done || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return code;
+  throw data_error(fmt::format("cannot write: {}", errno != 0 ? std::strerror(errno) : "the output was cut short"),
+                   "standard output");
+}
+
+void print_notes() {
+  for (const std::string& lack : jam::take_lacks()) app::complain("note: {}\n", lack);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return static_cast<int>(run_program(argc, argv));
+    const ExitCode code = check_output(run_program(argc, argv));
+    print_notes();
+    return static_cast<int>(code);
   } catch (const jam::Error& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    print_notes();
+    jam::app::complain("error: {}\n", error.what());
     return static_cast<int>(error.code());
+  } catch (const std::system_error& error) {  // of fmt::print
+    jam::app::complain("error: {}\n", error.what());
+    return static_cast<int>(jam::ExitCode::data);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n  this is a bug in jamscape; please report it with the command you ran\n",
-               error.what());
+    jam::app::complain("error: {}\n  this is a bug in jamscape; please report it with the command you ran\n",
+                       error.what());
     return static_cast<int>(jam::ExitCode::bug);
   }
 }

@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "commands.hpp"
-#include "jamscape/base/threads.hpp"
+#include "complain.hpp"
+#include "jamscape/base/cores.hpp"
+#include "jamscape/base/files.hpp"
 #include "jamscape/io/column_names.hpp"
 #include "jamscape/io/csv.hpp"
 #include "jamscape/io/network_file.hpp"
@@ -54,10 +56,19 @@ ExitCode measure_results(const MeasureArguments& a) {
         study.measures.list.push_back(name);
   chosen_measures(study);
   const std::vector<Task> tasks = list_tasks(study);
-  write_results_study(dir, study);
-  measure_tasks(study, tasks, dir, usable_cores(), a.again ? Remeasure::all : Remeasure::missing);
-  write_results(study, tasks, dir, Summary::text);
-  return ExitCode::done;
+  std::optional<ScratchFolder> scratch;
+  if (may_write_results(dir, tasks)) {
+    write_results_study(dir, study);
+  } else {
+    complain("note: nothing can be written into {}: its tables and report stay as they are\n", dir.string());
+    scratch.emplace("measure");
+    write_study(scratch->path(), study);
+  }
+  const ResultPlaces places(dir, scratch ? scratch->path() : dir);
+  const std::vector<LeftOut> left_out =
+      measure_tasks(study, tasks, places, usable_cores(), a.again ? Remeasure::all : Remeasure::missing);
+  const bool damaged = write_results(study, tasks, {places, places.rows, left_out, !scratch}, Summary::text).damaged;
+  return damaged ? ExitCode::data : ExitCode::done;
 }
 
 /// Adds the rows of `part` below those of `whole`; an empty whole takes the columns of the part.
@@ -122,20 +133,34 @@ bool holds_particles(const CsvFile& csv) {
   return find_column(csv, {"x"}) && (find_column(csv, {"radius", "r"}) || find_column(csv, {"diameter", "d"}));
 }
 
+struct MeasuredRuns {
+  Table table;
+  bool damaged = false;
+};
+
+/// Frame by frame; files that cannot be used are named and left out, unless all are.
+MeasuredRuns measure_runs(const std::vector<std::string>& files, const MeasureOptions& options,
+                          const std::vector<std::string>& names) {
+  MeasuredRuns all;
+  for (const std::string& file : files) try {
+      Table part;
+      const RunFile run(file);
+      for (std::size_t f = 0; f < run.frames(); ++f) append(part, measure_packing(run.frame(f), options, names));
+      append(all.table, part);
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::data || files.size() == 1) throw;
+      complain("error: {}\n", error.what());
+      all.damaged = true;
+    }
+  return all;
+}
+
 Table measure_files(const std::vector<std::string>& files, const MeasureOptions& options,
                     const std::vector<std::string>& names) {
-  if (fs::path(files.front()).extension() == ".h5") {
-    Table all;
-    for (const std::string& file : files) {
-      const RunFile run(file);
-      for (std::size_t f = 0; f < run.frames(); ++f) append(all, measure_packing(run.frame(f), options, names));
-    }
-    return all;
-  }
   if (files.size() == 2) {
     const bool first = holds_particles(CsvFile::read(files[0]));
     const ImportedPacking imported = read_packing_csv(files[first ? 0 : 1], files[first ? 1 : 0]);
-    for (const std::string& note : imported.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : imported.notes) complain("note: {}\n", note);
     return measure_packing(imported.packing, options, names);
   }
   if (files.size() != 1)
@@ -154,12 +179,14 @@ ExitCode measure(const MeasureArguments& a) {
   study.systems = {};
   study.base.stages.resize(1);
   const Study set = with_settings(study, a);
-  const Table table = measure_files(a.files, set.measure, a.names);
+  const MeasuredRuns measured = fs::path(a.files.front()).extension() == ".h5"
+                                    ? measure_runs(a.files, set.measure, a.names)
+                                    : MeasuredRuns{measure_files(a.files, set.measure, a.names)};
   if (a.out.empty())
-    fmt::print("{}", to_csv(table));
+    fmt::print("{}", to_csv(measured.table));
   else
-    write_csv(a.out, table);
-  return ExitCode::done;
+    write_csv(a.out, measured.table);
+  return measured.damaged ? ExitCode::data : ExitCode::done;
 }
 
 }  // namespace

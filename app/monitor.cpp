@@ -22,23 +22,25 @@ Monitor::Monitor(const Study& study, const std::vector<Task>& tasks, const std::
 }
 
 Monitor::~Monitor() {
-  if (bar_drawn_) fmt::print(out_, "\r\033[K");
+  if (bar_drawn_) put("\r\033[K");
 }
 
 std::string Monitor::name(std::size_t task) const {
   return fmt::format("{} {}", study_.systems[tasks_[task].system].name, tasks_[task].realisation + 1);
 }
 
+void Monitor::put(const std::string& text) {
+  if (out_ && (std::fputs(text.c_str(), out_) < 0 || std::fflush(out_) != 0)) out_ = nullptr;
+}
+
 void Monitor::line(const std::string& text) {
-  if (bar_drawn_) fmt::print(out_, "\r\033[K");
-  bar_drawn_ = false;
-  fmt::print(out_, "{}\n", text);
-  std::fflush(out_);
+  put(std::exchange(bar_drawn_, false) ? "\r\033[K" + text + "\n" : text + "\n");
 }
 
 void Monitor::event(std::size_t task, const char* what, const std::string& reason) {
-  if (show_ == Show::nothing) return;
-  if (show_ == Show::json) {
+  if (show_ == Show::nothing) {  // but errors, and what was mended
+    if (!reason.empty()) line(fmt::format("{}: {} {}", what, name(task), reason));
+  } else if (show_ == Show::json) {
     nlohmann::json json{{"event", what},
                         {"task", tasks_[task].hash},
                         {"system", study_.systems[tasks_[task].system].name},
@@ -102,7 +104,7 @@ void Monitor::skipped(std::size_t task) {
   State& s = states_[task];
   s.step = s.found = s.steps;
   s.phase = Phase::ended;
-  event(task, "skipped", "another process works on it");
+  if (show_ != Show::nothing) event(task, "skipped", "another process works on it");
 }
 
 Monitor::Totals Monitor::totals() {
@@ -139,8 +141,7 @@ void Monitor::draw_bar(const Totals& t) {
                                                 : fmt::format("phi {:.3f}-{:.3f}", t.lowest, t.highest));
     notes.push_back(fmt::format("{:.1f} M grain-steps/s", t.rate / 1e6));
   }
-  fmt::print(out_, "\r{}\033[K", print_bar(t.cost > 0 ? t.behind / t.cost : 0, notes, terminal_width() - 1));
-  std::fflush(out_);
+  put(fmt::format("\r{}\033[K", print_bar(t.cost > 0 ? t.behind / t.cost : 0, notes, terminal_width() - 1)));
   bar_drawn_ = true;
 }
 

@@ -36,8 +36,9 @@ class Monitor : public RunListener {
   enum class Phase { waiting, simulating, measuring, ended };
   struct State {
     Phase phase = Phase::waiting;
-    std::int64_t step = 0;   ///< the last one seen
-    std::int64_t steps = 0;  ///< of the whole run, as far as is known: the plan guesses how long grains settle and relax
+    std::int64_t step = 0;  ///< the last one seen
+    std::int64_t steps =
+        0;  ///< of the whole run, as far as is known: the plan guesses how long grains settle and relax
     std::int64_t found = 0;  ///< those that were there when it started
     double packing_fraction = 0;
     bool seen = false;
@@ -53,6 +54,8 @@ class Monitor : public RunListener {
   Totals totals();
   std::string name(std::size_t task) const;
   void event(std::size_t task, const char* what, const std::string& reason = {});
+  /// A reader who is gone ends the showing, not the run.
+  void put(const std::string& text);
   void line(const std::string& text);
   void draw_bar(const Totals& t);
   void print_json(const Totals& t);

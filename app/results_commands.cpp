@@ -8,10 +8,13 @@
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
+#include "jamscape/base/cores.hpp"
 #include "jamscape/base/files.hpp"
 #include "jamscape/base/progress.hpp"
+#include "jamscape/base/stop_signal.hpp"
 #include "jamscape/base/threads.hpp"
 #include "jamscape/io/packing_csv.hpp"
 #include "jamscape/study/builtin.hpp"
@@ -28,25 +31,41 @@ namespace fs = std::filesystem;
 
 /// Tables kept elsewhere become a folder of their own that holds them and what is made of them.
 void copy_collected(const std::string& from, const std::string& to) {
-  if (!is_collected(from))
-    throw usage_error("--out is for tables kept without their simulations", from,
-                      "leave it out: the report stays with the results");
   write_study(to, study_of_results(from));
   for (const auto& entry : fs::directory_iterator(from))
     if (entry.path().filename().string().ends_with(".csv.gz"))
       fs::copy_file(entry.path(), fs::path(to) / entry.path().filename(), fs::copy_options::overwrite_existing);
 }
 
-ExitCode report(const std::string& from, const std::string& out) {
-  if (!out.empty()) copy_collected(from, out);
-  const std::string& dir = out.empty() ? from : out;
-  std::error_code ignored;
-  if (is_collected(dir) && !fs::exists(fs::path(dir) / "study.toml", ignored))
-    throw usage_error("these tables have no study.toml, so a report cannot stand beside them", dir, "--out FOLDER");
+ExitCode damage_code(bool damaged) { return damaged ? ExitCode::data : ExitCode::done; }
+
+/// Of simulations that stand in DIR, tables, means and report in DIR or elsewhere.
+ExitCode report_simulated(const fs::path& dir, const fs::path& to) {
   const Study study = study_of_results(dir);
   const std::vector<Task> tasks = list_tasks(study);
-  measure_tasks(study, tasks, dir, usable_cores(), Remeasure::missing);
-  write_results(study, tasks, dir, Summary::text);
+  if (to == dir) {
+    if (!may_write_results(dir, tasks))
+      throw data_error("nothing can be written here", dir.string(), "--out FOLDER: report, tables and means go there");
+  } else {
+    check_results(to, study);
+    write_study(to, study);
+  }
+  const ResultPlaces places(dir, to);
+  const std::vector<LeftOut> left_out = measure_tasks(study, tasks, places, usable_cores(), Remeasure::missing);
+  return damage_code(write_results(study, tasks, {places, to, left_out}, Summary::text).damaged);
+}
+
+ExitCode report(const std::string& from, const std::string& out) {
+  std::error_code ignored;
+  if (!is_collected(from))
+    return report_simulated(from, out.empty() || fs::equivalent(from, out, ignored) ? from : out);
+  if (!out.empty()) copy_collected(from, out);
+  const std::string& dir = out.empty() ? from : out;
+  if (!fs::exists(fs::path(dir) / "study.toml", ignored))
+    throw usage_error("these tables have no study.toml, so a report cannot stand beside them", dir, "--out FOLDER");
+  if (!may_write(dir)) throw data_error("nothing can be written here", dir, "--out FOLDER");
+  const Study study = study_of_results(dir);
+  write_results(study, list_tasks(study), {ResultPlaces(dir), dir, {}}, Summary::text);
   return ExitCode::done;
 }
 
@@ -71,8 +90,12 @@ ExitCode score(const std::string& dir, const std::string& file, bool as_json) {
   const Study study = study_of_results(dir);
   const std::vector<Target> targets = find_targets(study, file);
   const std::vector<Task> tasks = list_tasks(study);
-  measure_tasks(study, tasks, dir, usable_cores(), Remeasure::missing);
-  const std::vector<Score> scores = score_targets(targets, study, find_done(study, tasks, dir));
+  std::optional<ScratchFolder> scratch;
+  if (!may_write_results(dir, tasks)) scratch.emplace("score");
+  const ResultPlaces places(dir, scratch ? scratch->path() : fs::path(dir));
+  const std::vector<LeftOut> left_out = measure_tasks(study, tasks, places, usable_cores(), Remeasure::missing);
+  const bool damaged = name_left_out(left_out, study, tasks);
+  const std::vector<Score> scores = score_targets(targets, study, find_done(study, tasks, places, left_out));
   std::size_t count[4] = {};
   for (const Score& s : scores) {
     ++count[static_cast<std::size_t>(s.verdict)];
@@ -93,37 +116,68 @@ ExitCode score(const std::string& dir, const std::string& file, bool as_json) {
                  verdict_name(s.verdict), s.target, s.systems, s.source, s.published, print_ours(s), s.n, s.needed,
                  s.note.empty() ? "" : "   ", s.note);
   }
-  if (as_json) return ExitCode::done;
+  if (as_json) return damage_code(damaged);
   const auto elsewhere =
       std::count_if(targets.begin(), targets.end(), [&](const Target& t) { return !concerns(t, study); });
   fmt::print("\n{} pass, {} fail, {} known deviations, {} with too few runs\n", count[0], count[1], count[2], count[3]);
   if (elsewhere > 0) fmt::print("{} targets are of systems that this study does not have\n", elsewhere);
-  return ExitCode::done;
+  return damage_code(damaged);
+}
+
+/// What a run's bytes and a second simulation say about it.
+struct Verified {
+  bool same = false, stopped = false;
+  std::string text;
+};
+
+Verified verify_one(const Study& study, const Task& task, const std::string& dir) {
+  const auto stored = check_stored(TaskFolder(dir, task.hash));
+  if (!stored->usable()) return {false, false, stored->reason};
+  try {
+    const auto difference = verify_task(study, task, dir, {}, stop_requested);
+    if (!difference) return {false, true, "stopped"};
+    if (!difference->empty()) return {false, false, *difference};
+  } catch (const std::exception& error) {
+    return {false, false, error.what()};
+  }
+  return {true, false,
+          fmt::format("{} frames, the same bits{}", task.plan.frames.size(),
+                      stored->verdict == RunCheck::Verdict::not_covered
+                          ? "; not covered by a seal: written before run files had one"
+                          : "")};
 }
 
 ExitCode verify(const std::string& dir, const std::string& hash, bool all, int jobs) {
   const Study study = study_of_results(dir);
   const std::vector<Task> tasks = list_tasks(study);
+  const int cores = jobs > 0 ? jobs : usable_cores();
+  const std::vector<LeftOut> damaged = find_damage(tasks, dir, cores);
   std::vector<std::size_t> chosen;
-  for (const std::size_t k : order_tasks(tasks, {}))
-    if (has_all_frames(TaskFolder(dir, tasks[k].hash), tasks[k].plan) &&
-        (hash.empty() || tasks[k].hash.starts_with(hash)))
-      chosen.push_back(k);
+  for (const std::size_t k : order_tasks(tasks, {})) {
+    if (!tasks[k].hash.starts_with(hash)) continue;
+    const bool bad = is_left_out(damaged, tasks[k].hash);
+    if (bad || has_all_frames(TaskFolder(dir, tasks[k].hash), tasks[k].plan)) chosen.push_back(k);
+  }
   if (chosen.empty())
     throw data_error(hash.empty() ? "no run is done yet" : fmt::format("no run named '{}' is done", hash), dir,
                      fmt::format("jamscape status {}", dir));
-  if (!all) chosen = {chosen.back()};  // the shortest
-  std::vector<std::string> differences(chosen.size());
-  run_jobs(chosen.size(), jobs > 0 ? jobs : usable_cores(),
-           [&](std::size_t k) { differences[k] = verify_task(study, tasks[chosen[k]], dir); });
-  bool same = true;
+  if (!all) {  // the shortest that is whole, and all that are not
+    const auto whole = [&](std::size_t k) { return !is_left_out(damaged, tasks[k].hash); };
+    const auto shortest = std::find_if(chosen.rbegin(), chosen.rend(), whole);
+    const std::size_t kept = shortest != chosen.rend() ? *shortest : tasks.size();
+    std::erase_if(chosen, [&](std::size_t k) { return whole(k) && k != kept; });
+  }
+  watch_stop_signals();
+  std::vector<Verified> verified(chosen.size());
+  run_jobs(chosen.size(), cores, [&](std::size_t k) { verified[k] = verify_one(study, tasks[chosen[k]], dir); });
+  bool same = true, stopped = false;
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     const Task& t = tasks[chosen[k]];
-    same = same && differences[k].empty();
-    fmt::print("{}  {}  realisation {}: {}\n", t.hash, study.systems[t.system].name, t.realisation,
-               differences[k].empty() ? fmt::format("{} frames, the same bits", t.plan.frames.size()) : differences[k]);
+    same = same && verified[k].same;
+    stopped = stopped || verified[k].stopped;
+    fmt::print("{}  {}  realisation {}: {}\n", t.hash, study.systems[t.system].name, t.realisation, verified[k].text);
   }
-  return same ? ExitCode::done : ExitCode::data;
+  return stopped ? ExitCode::interrupted : same ? ExitCode::done : ExitCode::data;
 }
 
 ExitCode view(const std::string& dir) {
@@ -143,23 +197,36 @@ ExitCode view(const std::string& dir) {
   return ExitCode::done;
 }
 
+/// The frames of a task as tables; how many.
+std::size_t export_task(const Task& task, const TaskFolder& folder, const fs::path& place) {
+  const RunFile run(folder.run_file(), Look::structure);
+  const std::vector<std::size_t> stored = stored_frames(run, task.plan).value();
+  make_folder(place);
+  for (std::size_t f = 0; f < stored.size(); ++f)
+    write_packing_csv(run.frame(stored[f]), place / fmt::format("particles-{:06}.csv", f),
+                      place / fmt::format("contacts-{:06}.csv", f));
+  return stored.size();
+}
+
 ExitCode export_csv(const std::string& dir, const fs::path& out) {
   const Study study = study_of_results(dir);
   const std::vector<Task> tasks = list_tasks(study);
+  std::vector<LeftOut> left_out = find_damage(tasks, dir, usable_cores());
   std::size_t written = 0;
   for (const Task& t : tasks) {
     const TaskFolder folder(dir, t.hash);
-    if (!has_all_frames(folder, t.plan)) continue;
-    const RunFile run(folder.run_file());
-    const std::vector<std::size_t> stored = stored_frames(run, t.plan).value();
-    const fs::path place = out / fmt::format("{}-{}", study.systems[t.system].name, t.realisation);
-    make_folder(place);
-    for (std::size_t f = 0; f < stored.size(); ++f, ++written)
-      write_packing_csv(run.frame(stored[f]), place / fmt::format("particles-{:06}.csv", f),
-                        place / fmt::format("contacts-{:06}.csv", f));
+    if (is_left_out(left_out, t.hash) || !has_all_frames(folder, t.plan)) continue;
+    try {
+      written += export_task(t, folder, out / fmt::format("{}-{}", study.systems[t.system].name, t.realisation));
+    } catch (const Error&) {  // a run without a seal shows its damage only when it is read
+      const std::string damage = damaged_content(folder);
+      if (damage.empty()) throw;
+      left_out.push_back({t.hash, damage});
+    }
   }
+  const bool damaged = name_left_out(left_out, study, tasks);
   fmt::print("{} frames written below {}\n", written, out.string());
-  return ExitCode::done;
+  return damage_code(damaged);
 }
 
 }  // namespace
@@ -179,7 +246,7 @@ void add_results_commands(CLI::App& program, Action& action) {
   };
   CLI::App* r = add("report", "Write tables, means and DIR/report.html again from what is stored",
                     [](const Arguments& x) { return report(x.dir, x.out); });
-  r->add_option("--out,-o", a->out, "another folder for them, where DIR holds collected tables only");
+  r->add_option("--out,-o", a->out, "another folder for them, where nothing can or shall be written into DIR");
   CLI::App* s = add("score", "Published values beside ours, one row per target",
                     [](const Arguments& x) { return score(x.dir, x.file, x.json); });
   s->add_option("--targets", a->file, "file of targets (default: those the study names)");

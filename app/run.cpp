@@ -6,12 +6,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "commands.hpp"
+#include "complain.hpp"
 #include "find_study.hpp"
+#include "jamscape/base/cores.hpp"
+#include "jamscape/base/file_lacks.hpp"
 #include "jamscape/base/progress.hpp"
 #include "jamscape/base/stop_signal.hpp"
-#include "jamscape/base/threads.hpp"
 #include "jamscape/study/advice.hpp"
 #include "jamscape/study/measure_task.hpp"
 #include "jamscape/study/results.hpp"
@@ -78,6 +81,17 @@ int spare_threads(const std::vector<Task>& tasks, const fs::path& out, const Run
   return std::max(1, usable_cores() / std::clamp(left, 1, options.jobs));
 }
 
+/// Of the runs that were none of this command's business but enter its tables.
+std::vector<LeftOut> damage_of_others(const std::vector<Task>& all, const std::vector<Task>& tasks, const fs::path& out,
+                                      const RunOptions& options) {
+  std::set<std::string> mine;
+  for (const std::size_t k : order_tasks(tasks, options.shard)) mine.insert(tasks[k].hash);
+  std::vector<Task> others;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(others),
+               [&](const Task& t) { return !mine.contains(t.hash); });
+  return find_damage(others, out, options.jobs);
+}
+
 ExitCode run(const RunArguments& a) {
   // A folder of results holds its own study: naming it goes on with it.
   std::error_code ignored;
@@ -102,6 +116,7 @@ ExitCode run(const RunArguments& a) {
   options.threads = a.threads > 0 ? a.threads : spare_threads(tasks, out, options);
   const RunnerLock lock(out, options.shard);
   write_results_study(out, study);
+  for (const std::string& lack : take_lacks()) complain("note: {}\n", lack);
 
   RunResult result;
   {
@@ -110,22 +125,23 @@ ExitCode run(const RunArguments& a) {
     result = run_tasks(study, tasks, out, options, monitor);
   }
   if (result.interrupted) {
-    fmt::print(stderr, "interrupted; the same command goes on where it stopped\n");
+    complain("interrupted; the same command goes on where it stopped\n");
     return ExitCode::interrupted;
   }
   if (result.failed > 0)
-    fmt::print(stderr, "{} of {} runs failed; `jamscape status {}` says why\n", result.failed,
-               result.failed + result.done, out.string());
+    complain("{} of {} runs failed; `jamscape status {}` says why\n", result.failed, result.failed + result.done,
+             out.string());
   if (!result.complete) {
-    fmt::print(stderr, "this share is done; tables and report are written when the last share ends\n");
+    complain("this share is done; tables and report are written when the last share ends\n");
     return result.failed > 0 ? ExitCode::some_failed : ExitCode::done;
   }
-  const std::size_t not_relaxed = write_results(study, all, out,
-                                                a.json    ? Summary::json
-                                                : a.quiet ? Summary::none
-                                                          : Summary::text);
+  const Warned warned = write_results(study, all, {ResultPlaces(out), out, damage_of_others(all, tasks, out, options)},
+                                      a.json    ? Summary::json
+                                      : a.quiet ? Summary::none
+                                                : Summary::text);
   if (result.failed > 0) return ExitCode::some_failed;
-  return a.strict && not_relaxed > 0 ? ExitCode::not_converged : ExitCode::done;
+  if (warned.damaged) return ExitCode::data;
+  return a.strict && warned.not_relaxed > 0 ? ExitCode::not_converged : ExitCode::done;
 }
 
 }  // namespace

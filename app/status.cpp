@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "jamscape/base/cores.hpp"
 #include "jamscape/base/progress.hpp"
-#include "jamscape/base/threads.hpp"
+#include "jamscape/study/damage.hpp"
 #include "jamscape/study/results.hpp"
 #include "jamscape/study/task_folder.hpp"
 #include "jamscape/study/time_spent.hpp"
@@ -39,12 +41,14 @@ ExitCode status(const std::string& dir, bool as_json, bool times) {
   std::size_t done = 0, failed = 0, at_work = 0;
   double left = 0, rate = 0, rates = 0;
   nlohmann::json list = nlohmann::json::array();
+  const std::vector<LeftOut> damaged = find_damage(tasks, dir, usable_cores());
   for (const std::size_t k : order_tasks(tasks, {})) {
     const Task& t = tasks[k];
     const TaskFolder folder(dir, t.hash);
-    const bool busy = running(folder), complete = has_all_frames(folder, t.plan);
+    const auto bad = std::find_if(damaged.begin(), damaged.end(), [&](const LeftOut& l) { return l.hash == t.hash; });
+    const bool busy = running(folder), complete = bad == damaged.end() && has_all_frames(folder, t.plan);
     std::string failure = busy || complete ? "" : folder.failure();
-    if (failure.empty() && !busy && !complete) failure = unreadable_run(folder);
+    if (!busy && bad != damaged.end()) failure = bad->reason;
     const std::string state = busy                                   ? "running"
                               : complete                             ? "done"
                               : !failure.empty()                     ? "failed"
@@ -85,7 +89,7 @@ ExitCode status(const std::string& dir, bool as_json, bool times) {
     if (done < total && seconds >= 0) fmt::print("; about {} left on {} cores", print_duration(seconds), cores);
     fmt::print("\n");
   }
-  return ExitCode::done;
+  return damaged.empty() ? ExitCode::done : ExitCode::data;
 }
 
 }  // namespace

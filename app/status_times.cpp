@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "jamscape/base/cores.hpp"
 #include "jamscape/base/progress.hpp"
-#include "jamscape/base/threads.hpp"
 #include "jamscape/study/time_spent.hpp"
 
 namespace jam::app {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "complain.hpp"
 #include "jamscape/base/files.hpp"
 #include "jamscape/report/report.hpp"
 #include "jamscape/study/ensemble.hpp"
@@ -54,8 +55,10 @@ void print_pressed(const Study& study, const std::vector<std::vector<Transition>
                      *contacts = find(transitions[s], "force_contacts_pooled");
     fmt::print("{:{}}  {:4}  {:8}  {:17}  {:12}  {:18}  {}\n", study.systems[s].name, width, k ? k->n : 0,
                contacts ? contacts->value : 0, text("tail_k_pooled"),
-               !a ? "-" : a->value > 0 ? "yes (type A)" : "no (type B)", text("rdf_peak1_pooled"),
-               text("rdf_peak2_pooled"));
+               !a             ? "-"
+               : a->value > 0 ? "yes (type A)"
+                              : "no (type B)",
+               text("rdf_peak1_pooled"), text("rdf_peak2_pooled"));
   }
 }
 
@@ -94,28 +97,35 @@ void print_json(const Study& study, const std::vector<std::vector<Transition>>& 
 
 }  // namespace
 
-std::size_t write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results,
-                          Summary summary) {
-  const FileLock lock = FileLock::lock(results / "lock.tables");  // shards may end at the same moment
-  const std::vector<DoneTask> done = find_done(study, tasks, results);
-  write_tables(study, done, results);
-  write_ensemble(study, done, results);
-  const std::vector<std::vector<Transition>> transitions = write_transitions(study, done, results);
-  write_report(results);
-  const std::string report = std::filesystem::absolute(results / "report.html").lexically_normal().string();
-  const std::size_t not_relaxed = frames_not_relaxed(done);
-  if (not_relaxed > 0)
-    fmt::print(stderr,
-               "warning: {} frames are not relaxed: their relaxation ran out of its budget (`budget` in the column "
-               "`relaxation`)\n  stage.NAME.relax_windows sets the budget\n",
-               not_relaxed);
-  if (summary == Summary::json) print_json(study, transitions, report, not_relaxed);
-  if (summary != Summary::text) return not_relaxed;
+bool name_left_out(const std::vector<LeftOut>& left_out, const Study& study, const std::vector<Task>& tasks) {
+  for (const LeftOut& run : left_out) complain("warning: {}\n", describe(run, study, tasks));
+  return !left_out.empty();
+}
+
+Warned write_results(const Study& study, const std::vector<Task>& tasks, const Written& written, Summary summary) {
+  Warned warned;
+  warned.damaged = name_left_out(written.left_out, study, tasks);
+  const FileLock lock = FileLock::lock(written.to / "lock.tables");  // shards may end at the same moment
+  const std::vector<DoneTask> done = find_done(study, tasks, written.places, written.left_out);
+  write_tables(study, done, written.to);
+  write_ensemble(study, done, written.to);
+  const std::vector<std::vector<Transition>> transitions = write_transitions(study, done, written.to);
+  if (name_left_out(write_report(written.to, written.places, written.left_out), study, tasks)) warned.damaged = true;
+  const std::string report =
+      written.keeps ? std::filesystem::absolute(written.to / "report.html").lexically_normal().string() : "";
+  warned.not_relaxed = frames_not_relaxed(done);
+  if (warned.not_relaxed > 0)
+    complain(
+        "warning: {} frames are not relaxed: their relaxation ran out of its budget (`budget` in the column "
+        "`relaxation`)\n  stage.NAME.relax_windows sets the budget\n",
+        warned.not_relaxed);
+  if (summary == Summary::json) print_json(study, transitions, report, warned.not_relaxed);
+  if (summary != Summary::text) return warned;
   if (done.size() < tasks.size())
     fmt::print("{} of {} runs are done; the others are left out\n", done.size(), tasks.size());
   print_summary(study, transitions);
-  fmt::print("report: {}\n", report);
-  return not_relaxed;
+  if (!report.empty()) fmt::print("report: {}\n", report);
+  return warned;
 }
 
 }  // namespace jam::app

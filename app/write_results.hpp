@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "jamscape/study/damage.hpp"
 #include "jamscape/study/study.hpp"
 #include "jamscape/study/task.hpp"
 
@@ -12,9 +13,24 @@ namespace jam::app {
 
 enum class Summary { text, json, none };
 
-/// Writes DIR/tables, DIR/ensemble and DIR/report.html, prints what was found, and warns on standard error of frames
-/// that are not relaxed; returns how many they are.
-std::size_t write_results(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results,
-                          Summary summary);
+/// What write_results() reads, and where it writes.
+struct Written {
+  ResultPlaces places;
+  std::filesystem::path to;       ///< the folder of tables/, ensemble/ and report.html
+  std::vector<LeftOut> left_out;  ///< runs that cannot be used
+  bool keeps = true;              ///< false for a folder that is gone afterwards: no path is printed
+};
+
+struct Warned {
+  std::size_t not_relaxed = 0;  ///< frames
+  bool damaged = false;         ///< runs were left out
+};
+
+/// Writes tables, ensemble and report, prints what was found, and names on standard error the runs that are left out
+/// and the frames that are not relaxed.
+Warned write_results(const Study& study, const std::vector<Task>& tasks, const Written& written, Summary summary);
+
+/// Names runs that cannot be used on standard error; true when there are some.
+bool name_left_out(const std::vector<LeftOut>& left_out, const Study& study, const std::vector<Task>& tasks);
 
 }  // namespace jam::app

@@ -79,6 +79,20 @@ class ReportPage : public testing::Test {
     return Json::parse(document.substr(start, document.find("</script>", start) - start));
   }
 
+  /// The page without its data and program, as it stands where a server's policy forbids scripts.
+  std::string open_forbidden() {
+    std::string page = read_text(folder_ / "report.html");
+    page.insert(page.find("<head>") + 6,
+                "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'self'\">");
+    write_text(folder_ / "forbidden.html", page);
+    const std::string document =
+        output_of("'" + browser_ + "' --headless=new --no-sandbox --disable-gpu --user-data-dir='" +
+                  (folder_ / "profile").string() + "' --dump-dom 'file://" + (folder_ / "forbidden.html").string() +
+                  "' 2>/dev/null");
+    const std::size_t from = document.find("<main");
+    return from == std::string::npos ? "" : document.substr(from, document.find("</main>") - from);
+  }
+
   std::string browser_, console_;
   fs::path folder_;
 };
@@ -140,6 +154,17 @@ TEST_F(ReportPage, ShowsPackingsOfClusters) {
     EXPECT_EQ(found.at("blank"), 0) << graphics;
     EXPECT_FALSE(found.at("wider"));
   }
+}
+
+TEST_F(ReportPage, SaysWhyWhereScriptsAreForbidden) {
+  write_fixture(folder_);
+  write_report(folder_);
+  const std::string page = open_forbidden();
+  EXPECT_NE(page.find("<h1>Synthetic results</h1>"), std::string::npos) << page;
+  EXPECT_NE(page.find("the server that sends the page forbids it"), std::string::npos);
+  EXPECT_NE(page.find("Of all realisations</h2>"), std::string::npos);
+  EXPECT_NE(page.find("Means over realisations, frame by frame</h2>"), std::string::npos);
+  EXPECT_NE(page.find("&plusmn;") == std::string::npos ? page.find("±") : 0, std::string::npos);
 }
 
 TEST_F(ReportPage, LeavesOutWhatAStudyHasNot) {

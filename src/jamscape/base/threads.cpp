@@ -1,7 +1,5 @@
 #include "jamscape/base/threads.hpp"
 
-#include <sched.h>
-
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -11,13 +9,6 @@
 #include <vector>
 
 namespace jam {
-
-int usable_cores() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(1, CPU_COUNT(&set));
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
 
 void run_jobs(std::size_t count, int threads, const std::function<void(std::size_t)>& job,
               const std::function<void()>& idle, double interval) {

@@ -6,9 +6,6 @@
 
 namespace jam {
 
-/// Number of cores this process may use (its affinity mask), at least 1.
-int usable_cores();
-
 /// Runs job(0) ... job(count - 1), each once, starting them in that order on up to `threads` threads, and returns
 /// when all have ended. The calling thread waits meanwhile and calls `idle` (if any) about every `interval` seconds and
 /// once more at the end. The first exception of a job is rethrown after the others have ended; jobs not yet begun by

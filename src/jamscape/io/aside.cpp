@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/base/file_lacks.hpp"
 
 namespace jam {
 namespace {
@@ -34,8 +35,8 @@ Aside::~Aside() {
 
 void Aside::commit() {
   const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  int failure = file < 0 || ::fsync(file) != 0 ? errno : 0;
-  if (file >= 0) ::close(file);
+  int failure = file < 0 ? errno : force_to_disk(file, target_);
+  if (file >= 0 && ::close(file) != 0 && errno != EINTR && failure == 0) failure = errno;
   if (failure == 0 && ::rename(path_.c_str(), target_.c_str()) != 0) failure = errno;
   if (failure != 0) throw cannot_write(target_, failure);
   committed_ = true;

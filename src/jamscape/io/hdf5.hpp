@@ -174,14 +174,16 @@ class File {
   Group root() const;
   /// Throws the first failure to write to the disk, if there was any.
   void check() const;
-  /// Closes a file on disk, with all that is open in it; throws when anything of it did not reach the disk.
+  /// Closes a file on disk; throws when anything of it did not reach the disk. No group or array of it may be open any
+  /// more: closing those later confuses the library's end.
   void close();
-  /// Closes a file in memory, with all that is open in it, and hands over its bytes.
+  /// Closes a file in memory, likewise, and hands over its bytes.
   std::string close_image();
 
  private:
   File(Handle handle, std::string name, std::unique_ptr<MemoryStorage> memory, std::unique_ptr<DiskStorage> disk)
       : memory_(std::move(memory)), disk_(std::move(disk)), handle_(std::move(handle)), name_(std::move(name)) {}
+  void must_be_alone() const;
   std::unique_ptr<MemoryStorage> memory_;
   std::unique_ptr<DiskStorage> disk_;
   Handle handle_;  ///< after the storages, so that it closes before they go

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <stdexcept>
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/io/hdf5.hpp"
@@ -77,14 +78,21 @@ void File::check() const {
                      "make room on the disk, or write elsewhere");
 }
 
+void File::must_be_alone() const {
+  if (H5Fget_obj_count(handle_.id(), H5F_OBJ_ALL) > 1)
+    throw std::logic_error(name_ + ": closed before the groups and arrays in it");
+}
+
 void File::close() {
   const Lock lock;
+  must_be_alone();
   if (!handle_.reset()) fail(name_, "close the file");
   check();
 }
 
 std::string File::close_image() {
   const Lock lock;
+  must_be_alone();
   if (!handle_.reset()) fail(name_, "close the file");
   return memory_->take();
 }

@@ -21,8 +21,19 @@ using hdf5::Group;
 using hdf5::Shape;
 using run_layout::Components;
 
+constexpr const char* advice = "`jamscape run` with its folder of results simulates this run again";
+
 [[noreturn]] void damaged(const Group& where, const std::string& what) {
-  throw data_error("the file is damaged: " + what, where.file(), "remove it: it is made anew when its task runs again");
+  throw data_error("the file is damaged: " + what, where.file(), advice);
+}
+
+/// Not damage: the file is of a later version.
+struct OtherVersion : Error {
+  explicit OtherVersion(const Error& error) : Error(error) {}
+};
+
+Error does_not_fit_seal(const std::filesystem::path& path) {
+  return data_error("the file is damaged or was changed: its content does not fit its seal", path.string(), advice);
 }
 
 std::vector<Vec3> vectors(const std::vector<double>& flat, Components stored) {
@@ -91,9 +102,10 @@ RunFile::State::State(hdf5::File opened) : file(std::move(opened)), root(file.ro
                      "name a run.h5 or a frame file");
   if (const auto version = root.read_attribute<std::int32_t>("layout_version");
       version.size() != 1 || version[0] < run_layout::oldest_version || version[0] > run_layout::version)
-    throw data_error(fmt::format("the file has layout version {}, this program reads {} to {}",
-                                 version.empty() ? 0 : version[0], run_layout::oldest_version, run_layout::version),
-                     root.file(), "use the version of the program that wrote it");
+    throw OtherVersion(
+        data_error(fmt::format("the file has layout version {}, this program reads {} to {}",
+                               version.empty() ? 0 : version[0], run_layout::oldest_version, run_layout::version),
+                   root.file(), "use the version of the program that wrote it"));
   const Group frames = root.group("frames");
   steps = frames.read<std::int64_t>("step");
   times = per_frame<double>(frames, "time");
@@ -232,9 +244,32 @@ RunFile::RunFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
 RunFile::RunFile(RunFile&&) noexcept = default;
 RunFile& RunFile::operator=(RunFile&&) noexcept = default;
 
-RunFile::RunFile(const std::filesystem::path& path) {
+RunFile::RunFile(const std::filesystem::path& path, Look look) {
+  const bool sealed = ends_in_seal(path);
+  if (sealed && look == Look::content && !seal_fits(path)) throw does_not_fit_seal(path);
   const hdf5::Lock lock;
   state_ = std::make_unique<State>(hdf5::File::open(path));
+  if (!sealed && state_->root.has_attribute(run_layout::sealed))
+    throw data_error("the file is damaged or was changed: it has lost its seal", path.string(), advice);
+}
+
+RunCheck check_run(const std::filesystem::path& path) {
+  using Verdict = RunCheck::Verdict;
+  bool sealed = false;
+  try {
+    sealed = ends_in_seal(path);
+    if (sealed && !seal_fits(path)) return {Verdict::damaged, does_not_fit_seal(path).what()};
+  } catch (const Error& error) {
+    return {Verdict::unreadable, error.what()};
+  }
+  try {
+    const RunFile run(path, Look::structure);
+  } catch (const OtherVersion& error) {
+    return {Verdict::unreadable, error.what()};
+  } catch (const Error& error) {
+    return {Verdict::damaged, error.what()};
+  }
+  return {sealed ? Verdict::whole : Verdict::not_covered, {}};
 }
 
 RunFile::~RunFile() {
@@ -293,9 +328,11 @@ void write_frame(const std::filesystem::path& path, const Packing& packing) {
   {
     const hdf5::Lock lock;
     hdf5::File file = hdf5::File::create_image(path.string());
-    RunWriter writer(file.root(), 1);
-    writer.append(packing);
-    writer.finish({});
+    {
+      RunWriter writer(file.root(), 1);  // its groups are closed before their file
+      writer.append(packing);
+      writer.finish({});
+    }
     image = file.close_image();
   }
   write_text(path, seal(std::move(image)));
@@ -316,14 +353,17 @@ void assemble_run(const std::vector<std::filesystem::path>& frames, const std::f
   {
     // The lock is held call by call only: other simulations go on writing their frames meanwhile.
     hdf5::File file = hdf5::File::create(aside.path());
-    RunWriter writer(file.root(), frames.size());
-    for (const auto& path : frames) {
-      writer.append(read_frame(path));
-      file.check();
+    {
+      RunWriter writer(file.root(), frames.size());  // its groups are closed before their file
+      for (const auto& path : frames) {
+        writer.append(read_frame(path));
+        file.check();
+      }
+      writer.finish(provenance);
     }
-    writer.finish(provenance);
     file.close();
   }
+  seal_file(aside.path());
   aside.commit();
 }
 

@@ -24,8 +24,12 @@
 //                f64[B][3]
 //   /observables/{packing_fraction,packing_fraction_plain,energy_kinetic,...}/{step,time,value[T]}
 //   /parameters  attributes program, version and others; config string
-// Every group carries the attribute layout_version; groups not named here are left alone. Text that is read back is of
-// fixed length (hdf5.hpp says why).
+// Every group carries the attribute layout_version. Text that is read back is of fixed length (hdf5.hpp says why).
+//
+// Behind the HDF5 file stands a seal (seal.hpp) over all its bytes, and the root attribute `sealed` says that it does:
+// a bit turned anywhere, a cut, or a change by another program is found before anything is read. Files without that
+// attribute were written before run files were sealed (frame files always were); only their larger arrays carry
+// checksums.
 #pragma once
 
 #include <cstdint>
@@ -54,16 +58,36 @@ void write_frame(const std::filesystem::path& path, const Packing& packing);
 /// Throws a data error for a file that is missing, truncated, damaged, or not of one frame.
 Packing read_frame(const std::filesystem::path& path);
 
-/// Puts frame files together, in the order given; written aside, forced to the disk and renamed. Only one frame at a
-/// time is held in memory. All frames have the same dimension and the same shapes; the grains may change in number.
+/// Puts frame files together, in the order given; written aside, sealed, forced to the disk and renamed. Only one frame
+/// at a time is held in memory. All frames have the same dimension and the same shapes; the grains may change in
+/// number.
 void assemble_run(const std::vector<std::filesystem::path>& frames, const std::filesystem::path& run_h5,
                   const Provenance& provenance);
+
+/// What is known of a run file after a look at all its bytes.
+struct RunCheck {
+  enum class Verdict {
+    whole,
+    not_covered,  ///< readable, but written before run files were sealed: damage to small arrays would not be seen
+    damaged,
+    unreadable,  ///< not there, not permitted, or of a later version of the program: nothing is known
+  };
+  Verdict verdict = Verdict::whole;
+  std::string reason;  ///< of the last two, with the name of the file
+
+  bool usable() const { return verdict == Verdict::whole || verdict == Verdict::not_covered; }
+};
+
+RunCheck check_run(const std::filesystem::path& path);
+
+/// How much is looked at before a run file is read: all its bytes, or what a file that check_run() has passed needs.
+enum class Look { content, structure };
 
 /// A run.h5, open to read frame by frame. Safe to use from several threads.
 class RunFile {
  public:
   /// Throws a data error for a file that is missing, truncated, damaged, or of another kind.
-  explicit RunFile(const std::filesystem::path& path);
+  explicit RunFile(const std::filesystem::path& path, Look look = Look::content);
   ~RunFile();
   RunFile(RunFile&&) noexcept;
   RunFile& operator=(RunFile&&) noexcept;

@@ -15,6 +15,8 @@ namespace jam::run_layout {
 inline constexpr std::int32_t version = 2;
 /// Version 1 knew neither clusters nor cylinders, and is else the same.
 inline constexpr std::int32_t oldest_version = 1;
+/// The root attribute of files with a seal behind them.
+inline constexpr const char* sealed = "sealed";
 
 /// The components of a vector that are stored: all three, in 2D those in the plane, or out of it for rotations.
 struct Components {

@@ -51,6 +51,7 @@ void put(std::vector<double>& out, const Vec3& v, int components = 3) {
 
 RunWriter::RunWriter(Group root, std::size_t frames) : root_(std::move(root)), planned_(frames) {
   root_.attribute("layout_version", std::vector<std::int32_t>{run_layout::version});
+  root_.attribute(run_layout::sealed, std::vector<std::int32_t>{1});
   Group h5md = make(root_, "h5md");
   h5md.attribute("version", std::vector<std::int32_t>{1, 1});
   frames_ = make(root_, "frames");

@@ -151,7 +151,7 @@ Json labelled(const PictureSource& source, const PictureFrame& frame, Json data)
 Json networks_block(const std::vector<PictureSource>& sources, EdgeForce force) {
   return per_system(sources, [force](const PictureSource& source) {
     Json frames = Json::array();
-    const RunFile run(source.folder.run_file());
+    const RunFile run(source.folder.run_file(), Look::structure);
     for (const PictureFrame& frame : source.frames)
       frames.push_back(labelled(source, frame, drawing_json(drawing(run.frame(frame.stored), force))));
     return frames;

@@ -32,7 +32,7 @@ Json score_block(const Results& results) {
   if (text.empty()) return nullptr;
   const std::vector<Target> targets = read_targets(text, name);
   const std::vector<Task> tasks = list_tasks(study);
-  const std::vector<DoneTask> done = find_done(study, tasks, results.folder);
+  const std::vector<DoneTask> done = find_done(study, tasks, results.places, results.left_out);
   if (done.empty()) return nullptr;
 
   Json rows = Json::array();

@@ -86,7 +86,7 @@ Json shapes_block(const Results& results, const std::vector<PictureSource>& sour
     const SystemOptions& options = results.study.systems[source.task.system].options;
     std::vector<ClusterShape> found;
     if (!source.all.empty())
-      found = RunFile(source.folder.run_file()).shapes();
+      found = RunFile(source.folder.run_file(), Look::structure).shapes();
     else if (options.grains.shape != BodyShape::ball)
       found = {grain_shape(options)};
     if (found.empty()) continue;

@@ -16,6 +16,7 @@ struct Block {
 struct Page {
   std::string title;
   std::vector<Block> blocks;
+  std::string plain = {};  ///< HTML that stands where the script does not run
 };
 
 std::string print_page(const Page& page);

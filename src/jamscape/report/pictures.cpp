@@ -5,8 +5,11 @@
 #include <map>
 #include <optional>
 
+#include "jamscape/base/error.hpp"
+#include "jamscape/io/seal.hpp"
 #include "jamscape/report/frame_choice.hpp"
 #include "jamscape/report/jamming.hpp"
+#include "jamscape/study/done_tasks.hpp"
 
 namespace jam {
 namespace {
@@ -27,8 +30,8 @@ std::vector<PictureFrame> container_frames(const std::vector<PictureFrame>& all,
 /// all.
 std::vector<PictureFrame> all_frames(const Results& results, const Task& task, const TaskFolder& folder) {
   std::vector<PictureFrame> frames;
-  if (!has_all_frames(folder, task.plan)) return frames;
-  const RunFile run(folder.run_file());
+  if (is_left_out(results.left_out, task.hash) || !has_all_frames(folder, task.plan)) return frames;
+  const RunFile run(folder.run_file(), Look::structure);
   const auto stored = stored_frames(run, task.plan);
   if (is_container(results.study.systems[task.system].options.domain.walls)) {
     for (std::size_t k = 0; k < task.plan.frames.size(); ++k) {
@@ -43,6 +46,16 @@ std::vector<PictureFrame> all_frames(const Results& results, const Task& task, c
       frames.push_back({task.plan.frames[k].packing_fraction, stored.value()[k], false});
   std::stable_sort(frames.begin(), frames.end(), [](const auto& a, const auto& b) { return a.rho < b.rho; });
   return frames;
+}
+
+/// Why the chosen frames of a run without a seal cannot be read, or ""; those with one were looked at before.
+std::string unreadable(const PictureSource& source) try {
+  if (source.frames.empty() || ends_in_seal(source.folder.run_file())) return {};
+  const RunFile run(source.folder.run_file(), Look::structure);
+  for (const PictureFrame& frame : source.frames) run.frame(frame.stored);
+  return {};
+} catch (const Error& error) {
+  return error.what();
 }
 
 /// The packing fractions asked for that a system comes to, a step of the usual size aside.
@@ -86,13 +99,18 @@ std::vector<PictureSource> choose_pictures(const Results& results) {
   for (const Task& task : list_tasks(results.study)) {
     const bool new_system = sources.empty() || sources.back().task.system != task.system;
     if (!new_system && !sources.back().frames.empty()) continue;
-    const TaskFolder folder(results.folder, task.hash);
+    const TaskFolder folder = folder_with_rows(results.places, task.hash, {&find_measure("diagram")});
     PictureSource source{task, folder, {}, all_frames(results, task, folder)};
     const SystemOptions& options = results.study.systems[task.system].options;
     source.frames = is_container(options.domain.walls)
                         ? container_frames(source.all, options.grains.count)
                         : chosen_frames(source.all, results.study.report.pictures, most_pictures(options.grains.count),
                                         jamming[task.system]);
+    if (!new_system) source.damaged = std::move(sources.back().damaged);
+    if (std::string reason = unreadable(source); !reason.empty()) {
+      source.frames.clear(), source.all.clear();
+      source.damaged.push_back({task.hash, std::move(reason)});
+    }
     if (new_system)
       sources.push_back(std::move(source));
     else

@@ -21,13 +21,14 @@ struct PictureFrame {
 struct PictureSource {
   Task task;
   TaskFolder folder;
-  std::vector<PictureFrame> frames;  ///< empty where no realisation is finished
-  std::vector<PictureFrame> all;     ///< the frames there are to choose from, by packing fraction
+  std::vector<PictureFrame> frames;   ///< empty where no realisation is finished
+  std::vector<PictureFrame> all;      ///< the frames there are to choose from, by packing fraction
+  std::vector<LeftOut> damaged = {};  ///< realisations before this one whose frames could not be read
 };
 
-/// Per system of the study: its first finished realisation; the frames nearest to [report] pictures, or a few of them
-/// (even_frames()), fewer where the packings are large; and the first frame at or above the point where the system
-/// jams. Of containers all frames, or the last where the packings are large.
+/// Per system of the study: its first finished realisation that can be read; the frames nearest to [report] pictures,
+/// or a few of them (even_frames()), fewer where the packings are large; and the first frame at or above the point
+/// where the system jams. Of containers all frames, or the last where the packings are large.
 std::vector<PictureSource> choose_pictures(const Results& results);
 
 }  // namespace jam

@@ -3,13 +3,22 @@
 #include "jamscape/base/files.hpp"
 #include "jamscape/report/blocks.hpp"
 #include "jamscape/report/page.hpp"
+#include "jamscape/report/plain_tables.hpp"
 #include "jamscape/report/results.hpp"
 
 namespace jam {
 
-void write_report(const std::filesystem::path& results_dir) {
-  const Results results = open_results(results_dir);
-  Page page{results.study.info.title.empty() ? results.study.info.name : results.study.info.title, {}};
+std::vector<LeftOut> write_report(const std::filesystem::path& results_dir) {
+  return write_report(results_dir, ResultPlaces(results_dir), {});
+}
+
+std::vector<LeftOut> write_report(const std::filesystem::path& results_dir, const ResultPlaces& places,
+                                  const std::vector<LeftOut>& left_out) {
+  Results results = open_results(results_dir);
+  results.places = places;
+  results.left_out = left_out;
+  Page page{
+      results.study.info.title.empty() ? results.study.info.name : results.study.info.title, {}, plain_tables(results)};
   const auto add = [&page](std::string name, Json data) {
     if (!data.is_null()) page.blocks.push_back({std::move(name), std::move(data)});
   };
@@ -28,6 +37,10 @@ void write_report(const std::filesystem::path& results_dir) {
   add("networks", networks_block(pictures, results.study.measure.force));
   add("diagrams", diagrams_block(pictures));
   write_text(results_dir / "report.html", print_page(page));
+  std::vector<LeftOut> damaged;
+  for (const PictureSource& source : pictures)
+    damaged.insert(damaged.end(), source.damaged.begin(), source.damaged.end());
+  return damaged;
 }
 
 }  // namespace jam

@@ -27,7 +27,7 @@ Results open_results(const std::filesystem::path& folder) {
     throw data_error("there is no study in this folder", folder.string(),
                      "name the folder that `jamscape run` printed");
   const std::string text = read_text(file);
-  Results results{folder, read_study_text(text, file.string()), {}, {}, {}};
+  Results results{folder, ResultPlaces(folder), read_study_text(text, file.string()), {}, {}, {}};
   const toml::table document = toml::parse(text, file.string());
   results.version = document["program"]["version"].value_or(std::string());
   results.commit = document["program"]["commit"].value_or(std::string());

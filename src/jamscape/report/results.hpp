@@ -9,15 +9,18 @@
 
 #include "jamscape/base/table.hpp"
 #include "jamscape/report/relaxation.hpp"
+#include "jamscape/study/damage.hpp"
 #include "jamscape/study/study.hpp"
 
 namespace jam {
 
 struct Results {
   std::filesystem::path folder;
+  ResultPlaces places;  ///< of the simulations and their rows; the folder, where nothing else is said
   Study study;
   std::string version, commit;  ///< of the program that wrote the results; empty where unknown
   Relaxations relaxations;      ///< per system; all empty where the study relaxes nothing
+  std::vector<LeftOut> left_out = {};
 
   /// A table below the folder, e.g. "ensemble/frames.csv"; nothing when there is no such file.
   std::optional<Table> table(std::string_view name) const;

@@ -13,13 +13,14 @@
 namespace jam {
 namespace {
 
-std::vector<DoneTask> find_simulated(const std::vector<Task>& tasks, const std::filesystem::path& results,
+std::vector<DoneTask> find_simulated(const std::vector<Task>& tasks, const ResultPlaces& places,
+                                     const std::vector<LeftOut>& left_out,
                                      const std::vector<const Measure*>& measures) {
   std::vector<DoneTask> done;
   for (const Task& task : tasks) {
-    TaskFolder folder(results, task.hash);
-    if (!has_all_frames(folder, task.plan) || !has_rows(folder, measures)) continue;
-    std::vector<std::size_t> stored = stored_frames(RunFile(folder.run_file()), task.plan).value();
+    TaskFolder folder = folder_with_rows(places, task.hash, measures);
+    if (is_left_out(left_out, task.hash) || !has_all_frames(folder, task.plan) || !has_rows(folder, measures)) continue;
+    std::vector<std::size_t> stored = stored_frames(RunFile(folder.run_file(), Look::structure), task.plan).value();
     done.push_back({&task, std::move(folder), task.plan.frames, std::move(stored)});
   }
   return done;
@@ -66,11 +67,17 @@ void set_reached_fractions(const Study& study, std::vector<DoneTask>& done) {
 
 }  // namespace
 
-std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks,
-                                const std::filesystem::path& results) {
+TaskFolder folder_with_rows(const ResultPlaces& places, const std::string& hash,
+                            const std::vector<const Measure*>& measures) {
+  TaskFolder elsewhere(places.results, hash, places.rows);
+  return has_rows(elsewhere, measures) ? elsewhere : TaskFolder(places.results, hash);
+}
+
+std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks, const ResultPlaces& places,
+                                const std::vector<LeftOut>& left_out) {
   const std::vector<const Measure*> chosen = chosen_measures(study);
-  std::vector<DoneTask> done =
-      is_collected(results) ? find_collected(study, tasks, results, chosen) : find_simulated(tasks, results, chosen);
+  std::vector<DoneTask> done = is_collected(places.results) ? find_collected(study, tasks, places.results, chosen)
+                                                            : find_simulated(tasks, places, left_out, chosen);
   set_reached_fractions(study, done);
   return done;
 }

@@ -26,9 +26,14 @@ struct DoneTask {
   std::shared_ptr<const CollectedTask> collected = nullptr;  ///< in place of the folder, where tables are all there is
 };
 
-/// Those that are done and have rows of all measures of the study (from tables: of any), in the order of the tasks.
-std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks,
-                                const std::filesystem::path& results);
+/// The folder of a task, with its rows of these measures where they are kept.
+TaskFolder folder_with_rows(const ResultPlaces& places, const std::string& hash,
+                            const std::vector<const Measure*>& measures);
+
+/// Those that are done, are not left out, and have rows of all measures of the study (from tables: of any), in the
+/// order of the tasks.
+std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tasks, const ResultPlaces& places,
+                                const std::vector<LeftOut>& left_out = {});
 
 /// The measures of the study that all these tasks have rows of.
 std::vector<const Measure*> measured(const Study& study, const std::vector<DoneTask>& done);

@@ -37,6 +37,35 @@ nlohmann::json read_keys(const TaskFolder& folder) {
   return keys.is_object() ? keys : nlohmann::json::object();
 }
 
+/// A member that is text, or "".
+std::string text_at(const nlohmann::json& object, const std::string& name) {
+  const auto at = object.is_object() ? object.find(name) : object.end();
+  return at != object.end() && at->is_string() ? at->get<std::string>() : std::string();
+}
+
+constexpr const char* sums = "sums";  // of the tables' bytes, by measure
+
+enum class Kept { absent, whole, damaged };
+
+/// Tables written before there were sums count as whole.
+Kept kept_rows(const TaskFolder& folder, const Measure& measure, const nlohmann::json& keys, const std::string& key) {
+  std::error_code ignored;
+  const fs::path file = table_file(folder, measure);
+  if (!fs::exists(file, ignored) || text_at(keys, measure.name) != key) return Kept::absent;
+  const std::string sum = text_at(keys.value(sums, nlohmann::json::object()), measure.name);
+  return sum.empty() || sum == short_hash(read_text(file)) ? Kept::whole : Kept::damaged;
+}
+
+/// Those whose rows are not kept, or not whole.
+std::vector<const Measure*> missing_rows(const TaskFolder& folder, const std::vector<const Measure*>& measures,
+                                         const MeasureOptions& options, const RunFile& run) {
+  const nlohmann::json keys = read_keys(folder);
+  std::vector<const Measure*> missing;
+  for (const Measure* m : measures)
+    if (kept_rows(folder, *m, keys, measure_key(*m, options, run)) != Kept::whole) missing.push_back(m);
+  return missing;
+}
+
 std::string header(const Measure& measure) {
   std::string text = "frame";
   for (const ColumnInfo& c : measure.columns) text += "," + c.name;
@@ -103,18 +132,12 @@ std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measu
                          const MeasureOptions& options, Remeasure what, const std::function<bool()>& stop) {
   std::vector<const Measure*> measures = {&instant_measure()};
   measures.insert(measures.end(), wanted.begin(), wanted.end());
-  const RunFile run(folder.run_file());
+  const RunFile run(folder.run_file(), Look::structure);
   const auto relaxed = [](const std::string& relaxation) { return !relaxation.empty(); };
   if (std::any_of(run.relaxations().begin(), run.relaxations().end(), relaxed))
     measures.push_back(&relaxation_measure());
-  nlohmann::json keys = read_keys(folder);
-  std::vector<const Measure*> missing;
-  for (const Measure* m : measures) {
-    std::error_code ignored;
-    const bool cached =
-        fs::exists(table_file(folder, *m), ignored) && keys.value(m->name, "") == measure_key(*m, options, run);
-    if (!cached || what == Remeasure::all) missing.push_back(m);
-  }
+  const std::vector<const Measure*> missing =
+      what == Remeasure::all ? measures : missing_rows(folder, measures, options, run);
   if (missing.empty()) return 0;
 
   std::vector<std::string> texts;
@@ -128,9 +151,12 @@ std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measu
       append_rows(*missing[k], missing[k]->evaluate(snapshot), frame, texts[k]);
   }
   make_folder(folder.tables());
+  nlohmann::json keys = read_keys(folder);
+  if (!keys.contains(sums) || !keys[sums].is_object()) keys[sums] = nlohmann::json::object();
   for (std::size_t k = 0; k < missing.size(); ++k) {
     write_text(table_file(folder, *missing[k]), texts[k]);
     keys[missing[k]->name] = measure_key(*missing[k], options, run);
+    keys[sums][missing[k]->name] = short_hash(texts[k]);
   }
   write_text(folder.tables() / "keys.json", keys.dump(1) + "\n");
   return missing.size();
@@ -144,16 +170,42 @@ bool has_rows(const TaskFolder& folder, const std::vector<const Measure*>& measu
   return there(&instant_measure()) && std::all_of(measures.begin(), measures.end(), there);
 }
 
-void measure_tasks(const Study& study, const std::vector<Task>& tasks, const fs::path& results, int jobs,
-                   Remeasure what) {
+std::vector<LeftOut> measure_tasks(const Study& study, const std::vector<Task>& tasks, const ResultPlaces& places,
+                                   int jobs, Remeasure what) {
   const std::vector<const Measure*> chosen = chosen_measures(study);
   const std::vector<std::size_t> order = order_tasks(tasks, {});
+  std::vector<std::string> reasons(order.size());
   run_jobs(order.size(), jobs, [&](std::size_t k) {
     const Task& task = tasks[order[k]];
-    const TaskFolder folder(results, task.hash);
-    if (!has_all_frames(folder, task.plan)) return;
-    if (const auto lock = FileLock::try_lock(folder.lock())) measure_task(folder, chosen, study.measure, what);
+    const TaskFolder folder(places.results, task.hash);
+    const auto stored = check_stored(folder);
+    if (!stored) return;
+    reasons[k] = stored->reason;
+    if (!stored->usable() || !has_all_frames(folder, task.plan)) return;
+    try {
+      if (places.rows == places.results) {
+        if (const auto lock = FileLock::try_lock(folder.lock())) measure_task(folder, chosen, study.measure, what);
+        return;
+      }
+      std::vector<const Measure*> wanted = {&instant_measure()};
+      wanted.insert(wanted.end(), chosen.begin(), chosen.end());
+      const TaskFolder elsewhere(places.results, task.hash, places.rows);
+      if (what == Remeasure::all ||
+          !missing_rows(folder, wanted, study.measure, RunFile(folder.run_file(), Look::structure)).empty())
+        measure_task(elsewhere, chosen, study.measure, what);
+      else
+        fs::remove_all(elsewhere.tables());  // of an earlier time; the results have their own
+    } catch (const Error& error) {
+      if (const std::string damage = damaged_content(folder); !damage.empty())
+        reasons[k] = damage;
+      else
+        throw;
+    }
   });
+  std::vector<LeftOut> left_out;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if (!reasons[k].empty()) left_out.push_back({tasks[order[k]].hash, reasons[k]});
+  return left_out;
 }
 
 CachedRows read_cached_rows(const TaskFolder& folder, const Measure& measure) {

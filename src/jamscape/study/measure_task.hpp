@@ -1,6 +1,6 @@
 // The rows a task adds to the tables, kept in its folder: tables/<measure>.csv with the column `frame` (index in
-// run.h5) in front. A file is made anew only when it is missing or when what determines it has changed
-// (tables/keys.json).
+// run.h5) in front. A file is made anew only when it is missing, when what determines it has changed, or when its bytes
+// are not those written (tables/keys.json holds both).
 #pragma once
 
 #include <functional>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jamscape/observe/measure.hpp"
+#include "jamscape/study/damage.hpp"
 #include "jamscape/study/study.hpp"
 #include "jamscape/study/task_folder.hpp"
 
@@ -32,9 +33,11 @@ std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measu
 /// True when the folder has rows of all these measures.
 bool has_rows(const TaskFolder& folder, const std::vector<const Measure*>& measures);
 
-/// measure_task() on all tasks that are done, several at a time, leaving out those another process works on.
-void measure_tasks(const Study& study, const std::vector<Task>& tasks, const std::filesystem::path& results, int jobs,
-                   Remeasure what);
+/// measure_task() on all tasks that are done and whole, several at a time, leaving those another process works on
+/// alone. Where rows are kept elsewhere, only those that the results lack are taken. Returns the tasks that cannot be
+/// used.
+std::vector<LeftOut> measure_tasks(const Study& study, const std::vector<Task>& tasks, const ResultPlaces& places,
+                                   int jobs, Remeasure what);
 
 /// The cached rows of one measure of one task, as text: lines[f] are the rows of frame f of run.h5 without the leading
 /// frame column.

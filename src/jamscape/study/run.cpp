@@ -1,7 +1,7 @@
 #include "jamscape/study/run.hpp"
 
-#include <atomic>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/files.hpp"
@@ -66,11 +66,14 @@ class Runner {
         listener_.skipped(index);
         return Ending::skipped;
       }
-      const bool done = has_all_frames(folder, task.plan);
+      bool done = has_all_frames(folder, task.plan);
       if (!done) listener_.started(index, fs::exists(folder.checkpoint()));
       fs::remove(folder.path() / "failed.txt");
       SimulateHooks hooks{[&](const Progress& p) { listener_.progress(index, p); }, [this] { return stopping(); },
-                          [&](const std::string& reason) { listener_.warned(index, reason); },
+                          [&](const std::string& reason) {
+                            listener_.warned(index, reason);
+                            if (std::exchange(done, false)) listener_.started(index, false);
+                          },
                           options_.checkpoint_interval, options_.threads};
       if (simulate_task(study_, task, folder, hooks) == Outcome::stopped) return Ending::stopped;
       listener_.measuring(index);

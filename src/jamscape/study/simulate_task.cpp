@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "jamscape/base/files.hpp"
 #include "jamscape/base/hash.hpp"
 #include "jamscape/io/archive_file.hpp"
+#include "jamscape/study/damage.hpp"
 #include "jamscape/study/version.hpp"
 
 namespace jam {
@@ -103,7 +105,7 @@ void assemble(const Study& study, const Task& task, const TaskFolder& folder) {
 /// Where relaxations are, the plan only guesses how long they take.
 std::int64_t last_step(const Task& task, const TaskFolder& folder) {
   if (task.plan.frames.empty() || task.plan.frames.back().step >= 0) return task.plan.steps;
-  return RunFile(folder.run_file()).steps().back();
+  return RunFile(folder.run_file(), Look::structure).steps().back();
 }
 
 /// Why one of the frames taken cannot be read, or "".
@@ -144,13 +146,24 @@ std::string task_text(const Study& study, const Task& task) {
 }
 
 Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks) {
-  if (has_all_frames(folder, task.plan)) {
-    folder.discard_partial();
-    return Outcome::finished;
+  const auto warn = [&](const char* event, const std::string& reason, const std::string& what_now) {
+    folder.log(nlohmann::json{{"event", event}, {"reason", reason}}.dump());
+    if (hooks.warning) hooks.warning(reason + "\n  " + what_now);
+  };
+  if (const auto stored = check_stored(folder)) {
+    if (stored->verdict == RunCheck::Verdict::unreadable)
+      throw data_error(stored->reason, {}, "move run.h5 away to simulate again");
+    std::string damage = stored->verdict == RunCheck::Verdict::damaged ? stored->reason : "";
+    if (stored->verdict == RunCheck::Verdict::not_covered) damage = damaged_content(folder);
+    if (!damage.empty()) {
+      const fs::path aside = folder.set_aside_run();
+      damage.resize(std::min(damage.find('\n'), damage.size()));  // without the suggestion, which is now followed
+      warn("run set aside", damage, fmt::format("it is now {}, and is simulated again", aside.string()));
+    } else if (has_all_frames(folder, task.plan)) {
+      folder.discard_partial();
+      return Outcome::finished;
+    }
   }
-  if (const std::string reason = unreadable_run(folder); !reason.empty())
-    throw data_error(reason, {},
-                     "move run.h5 away to simulate again; another version of the program may still read it");
   make_folder(folder.path());
   write_text(folder.path() / "task.toml", task_text(study, task));
   const auto begin = Clock::now();
@@ -162,10 +175,8 @@ Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& fo
       const std::string reason = damaged_frame(task, folder);
       if (reason.empty()) throw;  // the disk, not the frames
       const fs::path aside = folder.set_aside_frames();
-      folder.log(nlohmann::json{{"event", "frames set aside"}, {"reason", reason}}.dump());
-      if (hooks.warning)
-        hooks.warning(
-            fmt::format("{}\n  the frames of this run are now in {} and are simulated again", reason, aside.string()));
+      warn("frames set aside", reason,
+           fmt::format("the frames of this run are now in {} and are simulated again", aside.string()));
       outcome = simulate_rest(study, task, folder, hooks);
       if (outcome == Outcome::finished) assemble(study, task, folder);
     }

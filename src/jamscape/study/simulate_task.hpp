@@ -22,8 +22,9 @@ struct SimulateHooks {
 std::string task_text(const Study& study, const Task& task);
 
 /// Simulates what is missing. Returns `stopped` when hooks.stop() asked for it (a checkpoint is kept), `finished` when
-/// run.h5 holds every planned frame. A run.h5 that cannot be read is a data error, never overwritten; frames taken so
-/// far that cannot be read are set aside (TaskFolder::set_aside_frames) with a warning, and simulated again. Throws
+/// run.h5 holds every planned frame. A damaged run.h5, and frames taken so far that cannot be read, are set aside
+/// (TaskFolder) with a warning, and simulated again; a run.h5 that is of a later version, or that may not be read, is a
+/// data error and stays. Throws
 /// what the engine or the disk throws; the last checkpoint stays. The caller holds the lock of the folder.
 Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks);
 

@@ -13,6 +13,16 @@ namespace jam {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+fs::path free_name(const fs::path& before, const std::string& after) {
+  std::error_code ignored;
+  for (int k = 1;; ++k)
+    if (fs::path name = before.string() + std::to_string(k) + after; !fs::exists(name, ignored)) return name;
+}
+
+}  // namespace
+
 fs::path TaskFolder::frame(std::size_t index) const { return frames() / fmt::format("{:06}.h5", index); }
 
 TaskState TaskFolder::state() const {
@@ -45,10 +55,17 @@ void TaskFolder::discard_partial() const {
 
 fs::path TaskFolder::set_aside_frames() const {
   std::error_code ignored;
-  fs::path aside;
-  for (int k = 1; aside.empty() || fs::exists(aside, ignored); ++k) aside = path_ / fmt::format("frames.damaged-{}", k);
+  const fs::path aside = free_name(path_ / "frames.damaged-", "");
   fs::rename(frames(), aside);
   fs::remove(checkpoint(), ignored);
+  return aside;
+}
+
+fs::path TaskFolder::set_aside_run() const {
+  const fs::path aside = free_name(path_ / "run.damaged-", ".h5");
+  std::error_code error;
+  fs::rename(run_file(), aside, error);
+  if (error) throw data_error("cannot rename the damaged file: " + error.message(), run_file().string());
   return aside;
 }
 
@@ -75,22 +92,17 @@ std::optional<std::vector<std::size_t>> stored_frames(const RunFile& run, const 
   return indices;
 }
 
-std::string unreadable_run(const TaskFolder& folder) {
+std::optional<RunCheck> check_stored(const TaskFolder& folder) {
   std::error_code ignored;
   if (!fs::exists(folder.run_file(), ignored)) return {};
-  try {
-    const RunFile run(folder.run_file());
-    return {};
-  } catch (const Error& error) {
-    return error.what();
-  }
+  return check_run(folder.run_file());
 }
 
 bool has_all_frames(const TaskFolder& folder, const Plan& plan) {
   std::error_code ignored;
   if (!fs::exists(folder.run_file(), ignored)) return false;
   try {
-    return stored_frames(RunFile(folder.run_file()), plan).has_value();
+    return stored_frames(RunFile(folder.run_file(), Look::structure), plan).has_value();
   } catch (const Error&) {
     return false;
   }

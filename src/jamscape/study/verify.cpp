@@ -1,7 +1,6 @@
 #include "jamscape/study/verify.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstring>
 
@@ -35,22 +34,6 @@ bool same_walls(const std::vector<Wall>& a, const std::vector<Wall>& b) {
   return true;
 }
 
-/// A folder that is gone when the work is.
-class Scratch {
- public:
-  explicit Scratch(fs::path path) : path_(std::move(path)) { make_folder(path_); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 }  // namespace
 
 std::string first_difference(const Packing& a, const Packing& b) {
@@ -60,45 +43,60 @@ std::string first_difference(const Packing& a, const Packing& b) {
       {a.dimension == b.dimension && a.step == b.step && same_bits(a.time, b.time), "time"},
       {same_bits(a.packing_fraction, b.packing_fraction), "packing_fraction"},
       {same_bits(a.packing_fraction_plain, b.packing_fraction_plain), "packing_fraction_plain"},
-      {same_bits(a.domain.lo, b.domain.lo) && same_bits(a.domain.hi, b.domain.hi), "domain"},
-      {same_bits(g.id, h.id) && same_bits(g.species, h.species), "grains.id"},
-      {same_bits(g.radius, h.radius) && same_bits(g.mass, h.mass), "grains.radius"},
+      {a.relaxation == b.relaxation, "relaxation"},
+      {same_bits(a.domain.lo, b.domain.lo) && same_bits(a.domain.hi, b.domain.hi) &&
+           a.domain.periodic == b.domain.periodic,
+       "domain"},
+      {same_bits(g.id, h.id), "grains.id"},
+      {same_bits(g.species, h.species), "grains.species"},
+      {same_bits(g.radius, h.radius), "grains.radius"},
+      {same_bits(g.mass, h.mass), "grains.mass"},
       {same_bits(g.position, h.position), "grains.position"},
       {same_bits(g.velocity, h.velocity), "grains.velocity"},
-      {same_bits(g.spin, h.spin) && same_bits(g.angle, h.angle), "grains.spin"},
-      {a.shapes == b.shapes && same_bits(g.shape, h.shape) && same_bits(g.scale, h.scale), "grains.shape"},
+      {same_bits(g.spin, h.spin), "grains.spin"},
+      {same_bits(g.angle, h.angle), "grains.angle"},
+      {a.shapes == b.shapes, "shapes"},
+      {same_bits(g.shape, h.shape), "grains.shape"},
+      {same_bits(g.scale, h.scale), "grains.scale"},
       {same_bits(g.orientation, h.orientation), "grains.orientation"},
       {same_bits(c.i, d.i) && same_bits(c.j, d.j), "contacts.pairs"},
-      {same_bits(c.overlap, d.overlap) && same_bits(c.normal, d.normal), "contacts.overlap"},
+      {same_bits(c.part_i, d.part_i) && same_bits(c.part_j, d.part_j), "contacts.parts"},
+      {same_bits(c.image, d.image), "contacts.image"},
+      {same_bits(c.overlap, d.overlap), "contacts.overlap"},
+      {same_bits(c.normal, d.normal), "contacts.normal"},
+      {same_bits(c.point, d.point), "contacts.point"},
+      {same_bits(c.sliding, d.sliding), "contacts.sliding"},
       {same_bits(c.normal_force, d.normal_force), "contacts.normal_force"},
       {same_bits(c.tangential_force, d.tangential_force), "contacts.tangential_force"},
       {same_walls(a.walls, b.walls), "walls"},
       {same_bits(a.energy.kinetic, b.energy.kinetic) && same_bits(a.energy.elastic, b.energy.elastic) &&
            same_bits(a.energy.damped, b.energy.damped) && same_bits(a.energy.rubbed, b.energy.rubbed) &&
-           same_bits(a.energy.wall_work, b.energy.wall_work),
+           same_bits(a.energy.wall_work, b.energy.wall_work) && same_bits(a.energy.gravity_work, b.energy.gravity_work),
        "energy"}};
   for (const auto& [same, name] : checks)
     if (!same) return name;
   return {};
 }
 
-std::string verify_task(const Study& study, const Task& task, const fs::path& results,
-                        const std::function<void(const Progress&)>& progress) {
+std::optional<std::string> verify_task(const Study& study, const Task& task, const fs::path& results,
+                                       const std::function<void(const Progress&)>& progress,
+                                       const std::function<bool()>& stop) {
   const TaskFolder stored(results, task.hash);
   if (!has_all_frames(stored, task.plan))
     throw data_error("the task is not done, so there is nothing to compare with", stored.path().string(),
                      "jamscape run");
-  const Scratch scratch(fs::temp_directory_path() / fmt::format("jamscape-verify-{}-{}", ::getpid(), task.hash));
+  const RunFile before(stored.run_file());
+  const ScratchFolder scratch("verify");
   const TaskFolder again(scratch.path(), task.hash);
-  simulate_task(study, task, again, {progress, {}, {}, 1e9});
-  const RunFile before(stored.run_file()), after(again.run_file());
+  if (simulate_task(study, task, again, {progress, stop, {}, 1e9}) == Outcome::stopped) return std::nullopt;
+  const RunFile after(again.run_file());
   const std::vector<std::size_t> at_before = stored_frames(before, task.plan).value(),
                                  at_after = stored_frames(after, task.plan).value();
   for (std::size_t f = 0; f < at_before.size(); ++f) {
     const std::string difference = first_difference(before.frame(at_before[f]), after.frame(at_after[f]));
     if (!difference.empty()) return fmt::format("frame {} differs in {}", f, difference);
   }
-  return {};
+  return std::string();
 }
 
 }  // namespace jam

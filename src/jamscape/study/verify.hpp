@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "jamscape/packing/packing.hpp"
@@ -16,8 +17,10 @@ namespace jam {
 std::string first_difference(const Packing& a, const Packing& b);
 
 /// Simulates a task that is done again, in a folder of its own that is removed afterwards, and compares. Returns "" or
-/// what differs where. Throws a data error for a task that is not done.
-std::string verify_task(const Study& study, const Task& task, const std::filesystem::path& results,
-                        const std::function<void(const Progress&)>& progress = {});
+/// what differs where, or nothing when `stop` asked for an end. Throws a data error for a task that is not done, or
+/// whose run.h5 is damaged.
+std::optional<std::string> verify_task(const Study& study, const Task& task, const std::filesystem::path& results,
+                                       const std::function<void(const Progress&)>& progress = {},
+                                       const std::function<bool()>& stop = {});
 
 }  // namespace jam

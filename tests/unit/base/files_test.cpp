@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/base/file_lacks.hpp"
 
 namespace jam {
 namespace {
@@ -74,6 +76,49 @@ TEST_F(Files, OnlyOneHoldsALock) {
     EXPECT_FALSE(FileLock::try_lock(file, LockMode::shared));
   }
   EXPECT_TRUE(FileLock::try_lock(file)) << "given back";
+}
+
+TEST_F(Files, ALockThatMayNotBeWrittenIsStillALock) {
+  std::ofstream(folder_ / "lock") << "123\n";
+  fs::permissions(folder_ / "lock", fs::perms::owner_read);
+  const auto first = FileLock::try_lock(folder_ / "lock", LockMode::shared);
+  EXPECT_TRUE(first);
+  EXPECT_FALSE(FileLock::try_lock(folder_ / "lock"));
+}
+
+TEST_F(Files, AScratchFolderIsGoneAfterwards) {
+  fs::path path;
+  {
+    const ScratchFolder scratch("test"), other("test");
+    path = scratch.path();
+    EXPECT_NE(path, other.path());
+    write_text(path / "x", "text");
+    EXPECT_TRUE(may_write(path));
+  }
+  EXPECT_FALSE(fs::exists(path));
+  EXPECT_FALSE(may_write(path));
+}
+
+TEST_F(Files, WhatAFileSystemLacksIsNotedOnce) {
+  for (const int code : {ENOLCK, ENOSYS, EOPNOTSUPP, EINVAL, 524}) EXPECT_TRUE(is_lack(code));
+  for (const int code : {ENOSPC, EDQUOT, EIO, EROFS, EACCES, EWOULDBLOCK}) EXPECT_FALSE(is_lack(code));
+  take_lacks();
+  note_lack(Lack::locks, "/some/where/lock", ENOLCK);
+  note_lack(Lack::locks, "/else/where/lock", ENOLCK);
+  const std::vector<std::string> lacks = take_lacks();
+  ASSERT_EQ(lacks.size(), 1u);
+  EXPECT_NE(lacks[0].find("/some/where: this file system has no locks"), std::string::npos);
+  EXPECT_TRUE(take_lacks().empty());
+}
+
+/// A pipe cannot be forced to a disk: EINVAL.
+TEST_F(Files, WhatCannotBeForcedToADiskIsBorne) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  EXPECT_EQ(force_to_disk(ends[1], folder_ / "x"), 0);
+  EXPECT_EQ(force_to_disk(-1, folder_ / "x"), EBADF);
+  ::close(ends[0]);
+  ::close(ends[1]);
 }
 
 TEST_F(Files, SharedLocksGoTogether) {

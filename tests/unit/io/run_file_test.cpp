@@ -323,11 +323,66 @@ TEST(RunFile, TruncatedOrOfAnotherKind) {
   error_of([&] { RunFile(folder / ""); });
 }
 
-/// Whatever byte is wrong: an error, or a packing with valid indices (a wrong byte of padding harms nothing).
-TEST(RunFile, AWrongByteNeverCrashes) {
+using Verdict = RunCheck::Verdict;
+
+TEST(RunFile, EveryTurnedBitIsNamed) {
+  const Folder folder;
+  assemble_run(store(folder, run_of(2, 2)), folder / "run.h5", provenance);
+  EXPECT_EQ(check_run(folder / "run.h5").verdict, Verdict::whole);
+  const std::string whole = bytes_of(folder / "run.h5");
+  std::mt19937_64 generator(11);
+  for (int k = 0; k < 600; ++k) {
+    std::string wrong = whole;
+    const std::size_t bit = generator() % (8 * whole.size());
+    wrong[bit / 8] = static_cast<char>(wrong[bit / 8] ^ (1 << bit % 8));
+    put_bytes(folder / "wrong.h5", wrong);
+    const RunCheck check = check_run(folder / "wrong.h5");
+    EXPECT_EQ(check.verdict, Verdict::damaged) << bit;
+    EXPECT_NE(check.reason.find("wrong.h5"), std::string::npos);
+    EXPECT_NE(error_of([&] { RunFile(folder / "wrong.h5"); }).find("damaged"), std::string::npos);
+  }
+}
+
+TEST(RunFile, EveryCutIsNamed) {
   const Folder folder;
   assemble_run(store(folder, run_of(2, 2)), folder / "run.h5", provenance);
   const std::string whole = bytes_of(folder / "run.h5");
+  for (std::size_t cut = 1; cut <= whole.size(); cut += cut < 60 ? 1 : 997) {
+    put_bytes(folder / "cut.h5", whole.substr(0, whole.size() - cut));
+    EXPECT_EQ(check_run(folder / "cut.h5").verdict, Verdict::damaged) << cut;
+    error_of([&] { RunFile(folder / "cut.h5"); });
+  }
+  put_bytes(folder / "cut.h5", whole + "x");
+  EXPECT_EQ(check_run(folder / "cut.h5").verdict, Verdict::damaged) << "longer";
+}
+
+/// Other programs that write into the file leave no seal, or one that does not fit.
+TEST(RunFile, AChangeByAnotherProgramIsNamed) {
+  const Folder folder;
+  const std::vector<Packing> run = run_of(2, 2);
+  assemble_run(store(folder, run), folder / "run.h5", provenance);
+  std::string bytes = unseal(bytes_of(folder / "run.h5"), "run.h5");
+  put_bytes(folder / "run.h5", bytes);
+  EXPECT_NE(check_run(folder / "run.h5").reason.find("lost its seal"), std::string::npos);
+  put_bytes(folder / "run.h5", seal(bytes));
+  EXPECT_EQ(check_run(folder / "run.h5").verdict, Verdict::whole);
+  expect_run(folder / "run.h5", run);
+}
+
+TEST(RunFile, WhatIsNoDamageIsNotCalledSo) {
+  const Folder folder;
+  EXPECT_EQ(check_run(folder / "none.h5").verdict, Verdict::unreadable);
+  std::filesystem::create_directory(folder / "folder.h5");
+  EXPECT_EQ(check_run(folder / "folder.h5").verdict, Verdict::unreadable);
+  const std::filesystem::path old = std::filesystem::path(IO_DATA) / "v1-run.h5";
+  EXPECT_EQ(check_run(old).verdict, Verdict::not_covered);
+}
+
+/// Files without a seal. Whatever byte is wrong: an error, or a packing with valid indices (a wrong byte of padding
+/// harms nothing).
+TEST(RunFile, AWrongByteNeverCrashes) {
+  const Folder folder;
+  const std::string whole = bytes_of(std::filesystem::path(IO_DATA) / "v1-run.h5");
   std::size_t noticed = 0, tried = 0;
   for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 199) {
     std::string wrong = whole;

@@ -24,6 +24,14 @@ TEST(Page, LoadsNothing) {
     EXPECT_EQ(html.find(reference), std::string::npos);
 }
 
+TEST(Page, StandsWithoutItsProgram) {
+  const std::string html = print_page({"a < b", {}, "<table><tr><td>z</td></tr></table>"});
+  const std::size_t main = html.find("<main");
+  for (const char* part : {"<h1>a &lt; b</h1>", "Content-Security-Policy); the file", "<td>z</td>"})
+    EXPECT_NE(html.find(part, main), std::string::npos) << part;
+  EXPECT_EQ(html.find("<noscript"), std::string::npos) << "scripts may be forbidden though they are on";
+}
+
 TEST(Page, HoldsItsProgram) {
   const std::string script = bundle_script();
   EXPECT_EQ(script.find("</script"), std::string::npos);

@@ -58,7 +58,7 @@ class Readings : public testing::Test {
         "\"steps\"\nto = 0.9\n",
         "s.toml");
     tasks = list_tasks(study);
-    done = find_done(study, tasks, folder);
+    done = find_done(study, tasks, ResultPlaces(folder));
   }
   void TearDown() override { fs::remove_all(folder); }
 
