@@ -1,5 +1,7 @@
 #include "jamscape/base/error.hpp"
 
+#include "jamscape/base/printable.hpp"
+
 namespace jam {
 namespace {
 
@@ -12,7 +14,7 @@ std::string join(const std::string& problem, const std::string& place, const std
 }  // namespace
 
 Error::Error(ExitCode code, std::string problem, std::string place, std::string suggestion)
-    : std::runtime_error(join(problem, place, suggestion)),
+    : std::runtime_error(printable(join(problem, place, suggestion))),
       code_(code),
       problem_(std::move(problem)),
       place_(std::move(place)),

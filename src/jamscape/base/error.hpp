@@ -18,6 +18,7 @@ enum class ExitCode : int {
 };
 
 /// An error with all that is needed to mend its cause.
+/// what() shows control bytes of its parts as \x1b, so that no file steers a terminal.
 /// `problem` is one sentence; `place` is file:line:column (or empty); `suggestion` says what to try (or is empty).
 class Error : public std::runtime_error {
  public:

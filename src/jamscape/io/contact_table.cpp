@@ -1,6 +1,7 @@
 #include "jamscape/io/contact_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,9 @@
 #include <tuple>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/io/leading_lines.hpp"
 #include "jamscape/io/number_text.hpp"
+#include "jamscape/io/packing_check.hpp"
 #include "jamscape/io/shape_list.hpp"
 #include "jamscape/io/vector_columns.hpp"
 
@@ -17,6 +20,13 @@ namespace jam {
 namespace {
 
 constexpr std::int64_t most_walls = 65536;
+
+const KnownKeys contact_keys{
+    .here = {"wall", "step", "time", "stage", "vertices"},
+    .once = {},
+    .consequential = {"wall", "dimension", "periodic", "shape"},
+    .elsewhere = {"dimension", "lo", "hi", "periodic", "packing_fraction", "packing_fraction_plain", "shape"},
+    .other_table = "table of particles"};
 
 const VectorNames force_names{{{"fx", "f_x", "force_x"}, {"fy", "f_y", "force_y"}, {"fz", "f_z", "force_z"}}};
 const VectorNames tangential_names{{{"ftx", "ft_x"}, {"fty", "ft_y"}, {"ftz", "ft_z"}}};
@@ -62,6 +72,7 @@ class Reader {
  public:
   Reader(const CsvFile& csv, Packing& packing, std::vector<std::string>& notes)
       : csv_(csv),
+        lines_(csv, contact_keys, notes),
         packing_(packing),
         notes_(notes),
         dimension_(packing.dimension),
@@ -75,13 +86,16 @@ class Reader {
         point_(read_vectors(csv, point_names, dimension_)),
         image_(read_vectors(csv, image_names, dimension_)),
         overlap_(optional_numbers({"overlap", "delta", "penetration"})),
-        sideways_(optional_numbers({"ft", "f_t", "tangential_force"})),
+        sideways_(optional_numbers({"ft", "f_t", "tangential_force", "force_tangential"})),
         part1_(small_numbers({"part1", "part_i"}, 65535)),
         part2_(small_numbers({"part2", "part_j"}, 65535)),
         sliding_(small_numbers({"sliding", "slip"}, 255)) {
     const ColumnNames names{"fn", "f_n", "normal_force", "force_normal", "force"};
     if (find_column(csv, names) || !force_)
       normal_force_ = read_finite(csv, need_column(csv, names, "the normal force"));
+    if (dimension_ == 2)
+      for (const VectorNames* vectors : {&force_names, &tangential_names, &normal_names})
+        refuse_out_of_plane(csv, (*vectors)[2]);
   }
 
   void read() {
@@ -95,10 +109,18 @@ class Reader {
     std::sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) {
       return std::tuple_cat(a.key(), std::tie(a.flipped, a.row)) < std::tuple_cat(b.key(), std::tie(b.flipped, b.row));
     });
-    for (const Contact& c : merged(contacts)) store(c);
+    std::vector<std::size_t> row;
+    for (const Contact& c : merged(contacts)) {
+      store(c);
+      row.push_back(c.row);
+    }
+    add_notes();
+    check_contacts(
+        packing_,
+        {overlap_.has_value(), normal_.has_value(), point_.has_value(), !normal_force_, tangential_.has_value()},
+        {{}, [&](std::size_t m) { return csv_.place(row[m], id1_column_); }, {}}, notes_);
     finish_walls();
     if (const std::string problem = cluster_problem(packing_); !problem.empty()) throw data_error(problem, csv_.file());
-    add_notes();
   }
 
  private:
@@ -121,11 +143,11 @@ class Reader {
   }
 
   void read_walls() {
-    for (const auto& [key, text] : csv_.metadata()) {
-      if (key != "wall") continue;
+    for (const CsvRemark* line : lines_.all("wall")) {
+      const std::string& text = line->value;
       const auto round = parse_numbers(text, 10), v = round ? round : parse_numbers(text, 9);
       if (!v)
-        throw data_error(fmt::format("the line '# wall: {}' should hold nine numbers", text), csv_.file(),
+        throw data_error(fmt::format("the line '# wall: {}' should hold nine numbers", text), line->place,
                          "a point of the plane, its normal into the domain, its velocity; a cylinder has its axis in "
                          "place of the normal, and its radius last");
       Wall wall;
@@ -136,6 +158,9 @@ class Reader {
       wall.position = {(*v)[0], (*v)[1], (*v)[2]};
       wall.normal = {(*v)[3], (*v)[4], (*v)[5]};
       wall.velocity = {(*v)[6], (*v)[7], (*v)[8]};
+      const double length = norm(wall.normal);
+      if (!(length > 0)) throw data_error("the normal of a wall has no length", line->place);
+      if (std::abs(length - 1) > 1e-12) wall.normal = (1 / length) * wall.normal;
       packing_.walls.push_back(wall);
     }
     given_walls_ = packing_.walls.size();
@@ -175,7 +200,9 @@ class Reader {
     if (!i) unknown(row, id1_column_, id1_[row]);
     const bool wall = !j && id2_[row] < 0 && id2_[row] >= -most_walls;
     if (!j && !wall) unknown(row, id2_column_, id2_[row]);
-    if (j == i) throw data_error(fmt::format("grain {} touches itself", id1_[row]), csv_.place(row, id2_column_));
+    if (j == i)
+      throw data_error(fmt::format("grain {} touches itself", id1_[row]), csv_.place(row, id2_column_),
+                       "remove the row; where a grain touches its own copy, the periodic box is too narrow to measure");
     c.i = *i;
     c.j = wall ? id2_[row] : *j;
     c.part_i = static_cast<std::uint16_t>(part1_[row]);
@@ -239,6 +266,12 @@ class Reader {
   }
 
   void set_force(Contact& c, std::size_t row) {
+    if (force_ && normal_force_) {
+      const double given = (*normal_force_)[row], along = -dot((*force_)[row], c.normal);
+      along_ += std::abs(given - along);
+      turned_ += std::abs(given + along);
+      if (std::abs(given - along) > off_) off_ = std::abs(given - along), off_row_ = row;
+    }
     c.normal_force = normal_force_ ? (*normal_force_)[row] : -dot((*force_)[row], c.normal);
     if (tangential_)
       c.tangential_force = (*tangential_)[row];
@@ -258,6 +291,10 @@ class Reader {
         continue;
       }
       Contact& first = out.back();
+      if (first.image != c.image) {  // refused by check_contacts
+        out.push_back(c);
+        continue;
+      }
       if (first.flipped == c.flipped)
         throw data_error(fmt::format("the contact of {} and {} was given before, at {}", id1_[c.row], id2_[c.row],
                                      csv_.place(first.row, id1_column_)),
@@ -327,9 +364,42 @@ class Reader {
       notes_.push_back(fmt::format("{} walls are known by their contacts only", packing_.walls.size() - given_walls_));
     if (!overlap_ && !point_ && !packing_.walls.empty())
       notes_.push_back("overlaps with walls are not given: taken as 0");
+    if (force_ && normal_force_) compare_forces();
+    if (const auto unread = csv_.unread(); !unread.empty()) {
+      const bool tangential = tangential_ || sideways_ || force_;
+      const auto hint = std::find_if(unread.begin(), unread.end(), looks_tangential);
+      notes_.push_back(fmt::format(
+          "columns of contacts that nothing reads: {}{}", fmt::join(unread, ", "),
+          tangential || hint == unread.end()
+              ? ""
+              : fmt::format(
+                    "; if '{}' is a tangential force, name it ft (in the plane, left of the normal), or ftx, fty "
+                    "(and ftz): without one, tangential forces are 0",
+                    *hint)));
+    }
+  }
+
+  static bool looks_tangential(const std::string& name) {
+    const std::string text = lower_case(name);
+    return text.starts_with("ft") || text.starts_with("f_t") || text.starts_with("fs") ||
+           text.find("tan") != std::string::npos || text.find("shear") != std::string::npos ||
+           text.find("friction") != std::string::npos;
+  }
+
+  /// Both the normal force and a vector are given: the first is believed, after a look at the second.
+  void compare_forces() {
+    if (off_ <= 1e-3 * mean_) return;
+    if (turned_ < along_)
+      throw data_error("fn and the force vector of the contacts have opposite signs", csv_.place(off_row_, id1_column_),
+                       "fx, fy (and fz) are the force on id1, which is pushed away from id2 where fn is positive");
+    notes_.push_back(
+        fmt::format("fn differs from the part of fx, fy along the normal by up to {:.3g} mean forces: fn is "
+                    "believed",
+                    off_ / mean_));
   }
 
   const CsvFile& csv_;
+  LeadingLines lines_;
   Packing& packing_;
   std::vector<std::string>& notes_;
   int dimension_;
@@ -338,8 +408,9 @@ class Reader {
   std::optional<std::vector<Vec3>> force_, tangential_, normal_, point_, image_;
   std::optional<std::vector<double>> overlap_, sideways_, normal_force_;
   std::vector<std::int64_t> part1_, part2_, sliding_;
-  std::size_t given_walls_ = 0, mirrored_ = 0, pairs_ = 0;
+  std::size_t given_walls_ = 0, mirrored_ = 0, pairs_ = 0, off_row_ = 0;
   double worst_ = 0, mean_ = 0;
+  double along_ = 0, turned_ = 0, off_ = 0;  ///< fn beside the vector: summed differences, with its sign and turned
 };
 
 }  // namespace

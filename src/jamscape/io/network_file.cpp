@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -13,7 +14,11 @@
 #include "jamscape/io/column_names.hpp"
 #include "jamscape/io/compressed.hpp"
 #include "jamscape/io/csv.hpp"
+#include "jamscape/io/frame_column.hpp"
+#include "jamscape/io/leading_lines.hpp"
 #include "jamscape/io/number_text.hpp"
+#include "jamscape/io/plain_text.hpp"
+#include "jamscape/io/vector_columns.hpp"
 
 namespace jam {
 namespace {
@@ -24,6 +29,7 @@ constexpr std::int64_t most_vertices = 100'000'000;
 struct Edges {
   std::vector<std::int64_t> i, j;
   std::vector<double> force;
+  std::vector<std::size_t> row = {};  ///< where an edge stands, if rows were left out
 };
 
 void check_vertex_count(std::int64_t count, const std::string& place) {
@@ -71,14 +77,16 @@ std::vector<std::int64_t> vertex_ids(const Edges& edges, std::optional<std::int6
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   if (!count) return ids;
-  const std::int64_t base = !ids.empty() && ids.front() >= 1 && ids.back() == *count ? 1 : 0;
+  const auto walls = std::lower_bound(ids.begin(), ids.end(), std::int64_t{0});
+  const std::int64_t base = walls != ids.end() && *walls >= 1 && ids.back() == *count ? 1 : 0;
   for (std::size_t row = 0; row < edges.i.size(); ++row)
     for (std::int64_t id : {edges.i[row], edges.j[row]})
-      if (id < base || id >= base + *count)
+      if (id >= 0 && (id < base || id >= base + *count))
         throw data_error(fmt::format("vertex {} is out of range: there are {} vertices", id, *count), place(row),
                          fmt::format("number them from 0 to {}", *count - 1));
-  ids.resize(static_cast<std::size_t>(*count));
-  std::iota(ids.begin(), ids.end(), base);
+  const auto first = walls - ids.begin();
+  ids.resize(static_cast<std::size_t>(first + *count));
+  std::iota(ids.begin() + first, ids.end(), base);
   return ids;
 }
 
@@ -99,20 +107,101 @@ NamedGraph make_graph(const Edges& edges, std::optional<std::int64_t> count, con
   return network;
 }
 
-NamedGraph from_csv(const CsvFile& csv) {
+const KnownKeys network_keys{.here = {"vertices", "wall"},
+                             .once = {"vertices"},
+                             .consequential = {"vertices"},
+                             .elsewhere = {},
+                             .other_table = {}};
+
+/// Force vectors on the grain of every row, for the rows of one grain and one wall.
+std::optional<std::vector<Vec3>> normals(const CsvFile& csv) {
+  const VectorNames names{{{"nx", "n_x", "normal_x"}, {"ny", "n_y", "normal_y"}, {"nz", "n_z", "normal_z"}}};
+  return read_vectors(csv, names, find_column(csv, names[2]) ? 3 : 2);
+}
+
+/// The rows of a grain with one wall become one edge in the place of the first: |sum F n|.
+void join_wall_rows(const CsvFile& csv, Edges& edges, std::vector<std::string>& notes) {
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> touching;
+  for (std::size_t e = 0; e < edges.i.size(); ++e) {
+    const auto [wall, grain] = std::minmax(edges.i[e], edges.j[e]);
+    if (wall < 0 && std::isfinite(edges.force[e])) touching[{wall, grain}].push_back(e);
+  }
+  std::vector<char> joined(edges.i.size(), 0);
+  std::optional<std::vector<Vec3>> normal;
+  std::size_t pairs = 0;
+  for (const auto& [pair, rows] : touching) {
+    if (rows.size() < 2) continue;
+    if (!normal && !(normal = normals(csv))) return;  // then they are a pair given twice
+    ++pairs;
+    Vec3 sum{};
+    for (const std::size_t e : rows) {
+      sum += edges.force[e] * (*normal)[edges.row[e]];
+      joined[e] = e != rows.front();
+    }
+    edges.force[rows.front()] = norm(sum);
+  }
+  if (pairs == 0) return;
+  Edges kept;
+  for (std::size_t e = 0; e < edges.i.size(); ++e) {
+    if (joined[e] != 0) continue;
+    kept.i.push_back(edges.i[e]);
+    kept.j.push_back(edges.j[e]);
+    kept.force.push_back(edges.force[e]);
+    kept.row.push_back(edges.row[e]);
+  }
+  edges = std::move(kept);
+  notes.push_back(fmt::format("{} grains touch a wall in several places: one edge each, the sum of the forces", pairs));
+}
+
+/// Without the rows of walls, unless they are kept, and without those that say that nothing touches.
+Edges chosen_edges(const CsvFile& csv, Edges all, WallRows walls, std::vector<std::string>& notes) {
+  const auto overlap = find_column(csv, {"overlap", "delta", "penetration"});
+  const std::vector<double> depth = overlap ? csv.numbers(*overlap) : std::vector<double>{};
+  std::size_t of_walls = 0, apart = 0;
+  Edges edges;
+  for (std::size_t row = 0; row < all.i.size(); ++row) {
+    const bool wall = all.i[row] < 0 || all.j[row] < 0;
+    const bool open = overlap && depth[row] < 0;
+    of_walls += wall;
+    apart += open;
+    if (open || (wall && walls == WallRows::leave_out)) continue;
+    edges.i.push_back(all.i[row]);
+    edges.j.push_back(all.j[row]);
+    edges.force.push_back(all.force[row]);
+    edges.row.push_back(row);
+  }
+  if (of_walls > 0 && walls == WallRows::leave_out)
+    notes.push_back(
+        fmt::format("{} of {} rows are contacts with walls (negative numbers) and are left out; --walls keeps them, "
+                    "each wall a vertex",
+                    of_walls, all.i.size()));
+  if (apart > 0)
+    notes.push_back(
+        fmt::format("{} of {} rows have an overlap below 0: left out, nothing touches there", apart, all.i.size()));
+  if (apart > 0 && edges.i.empty())
+    throw data_error("all overlaps are below 0, so nothing touches", csv.place(0, *overlap),
+                     "overlaps are positive where grains touch: turn their sign");
+  if (walls == WallRows::keep) join_wall_rows(csv, edges, notes);
+  return edges;
+}
+
+NamedGraph from_csv(const CsvFile& csv, WallRows walls) {
   const std::size_t i = need_column(csv, {"i", "id1", "from", "source", "particle1", "node1"}, "the first vertex");
   const std::size_t j = need_column(csv, {"j", "id2", "to", "target", "particle2", "node2"}, "the second vertex");
   const std::size_t f =
       need_column(csv, {"force", "fn", "weight", "value", "normal_force", "f"}, "the weight of the edge");
-  const Edges edges{csv.integers(i), csv.integers(j), csv.numbers(f)};
+  std::vector<std::string> notes;
+  const LeadingLines lines(csv, network_keys, notes);
+  const Edges edges = chosen_edges(csv, {csv.integers(i), csv.integers(j), csv.numbers(f)}, walls, notes);
   std::optional<std::int64_t> count;
-  for (const auto& [key, value] : csv.metadata()) {
-    if (key != "vertices") continue;
-    count = parse_integer(value);
-    if (!count) throw data_error(fmt::format("'{}' is no number of vertices", value), csv.file());
-    check_vertex_count(*count, csv.file());
+  if (const CsvRemark* line = lines.find("vertices")) {
+    count = parse_integer(line->value);
+    if (!count) throw data_error(fmt::format("'{}' is no number of vertices", line->value), line->place);
+    check_vertex_count(*count, line->place);
   }
-  return make_graph(edges, count, [&](std::size_t row) { return csv.place(row, f); });
+  NamedGraph network = make_graph(edges, count, [&](std::size_t edge) { return csv.place(edges.row[edge], f); });
+  network.notes = std::move(notes);
+  return network;
 }
 
 /// Splits at blanks.
@@ -154,8 +243,9 @@ NamedGraph from_interaction_network(const std::string& text, const std::string& 
     const auto force = parse_double(fields[2]);
     for (std::size_t k = 0; k < 3; ++k)
       if (k == 0 ? !i : k == 1 ? !j : !force)
-        throw data_error(fmt::format("'{}' is no {}", fields[k].substr(0, 40), k < 2 ? "index of a vertex" : "number"),
-                         place(k), "every line but the first reads: i j value");
+        throw data_error(
+            fmt::format("'{}' is no {}", fields[k].substr(0, 40), k < 2 ? "index of a vertex" : "number"), place(k),
+            has_decimal_comma(fields[k]) ? "write a decimal point" : "every line but the first reads: i j value");
     for (std::int64_t id : {*i, *j})
       if (id < 0 || id >= *count)
         throw data_error(fmt::format("vertex {} is out of range: the first line says {} vertices", id, *count),
@@ -165,10 +255,12 @@ NamedGraph from_interaction_network(const std::string& text, const std::string& 
     edges.force.push_back(*force);
     lines.push_back(number);
   }
-  return make_graph(edges, count, [&](std::size_t row) { return fmt::format("{}:{}", file, lines[row]); });
+  return make_graph(edges, count, [&](std::size_t row) { return fmt::format("{}:{}:1", file, lines[row]); });
 }
 
-/// An interaction network begins with a line that is one integer; no header of a CSV table is.
+}  // namespace
+
+/// No header of a CSV table is one integer.
 bool is_interaction_network(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.size(), text.find('\n', at));
@@ -180,12 +272,15 @@ bool is_interaction_network(const std::string& text) {
   return false;
 }
 
-}  // namespace
+NamedGraph read_network(const std::filesystem::path& path, const NetworkReading& how) {
+  std::string text = read_plain_text(path);
+  if (!is_interaction_network(text)) return read_network(CsvFile::parse(std::move(text), path.string()), how);
+  if (how.frame) throw data_error("an interaction network has no frames", path.string(), "leave out --frame");
+  return from_interaction_network(text, path.string());
+}
 
-NamedGraph read_network(const std::filesystem::path& path) {
-  std::string text = read_any_text(path);
-  if (is_interaction_network(text)) return from_interaction_network(text, path.string());
-  return from_csv(CsvFile::parse(std::move(text), path.string()));
+NamedGraph read_network(const CsvFile& csv, const NetworkReading& how) {
+  return from_csv(one_frame(csv, how.frame).table, how.walls);
 }
 
 void write_network_csv(const std::filesystem::path& path, const NamedGraph& network) {

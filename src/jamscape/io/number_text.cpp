@@ -52,6 +52,34 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
   return value;
 }
 
+std::optional<std::int64_t> parse_whole_number(std::string_view text) {
+  constexpr std::int64_t most_zeros = 5;  // what an exponent may append; more is how spreadsheets round
+  text = without_plus(trimmed(text));
+  const auto mark = std::min(text.size(), text.find_first_of("eEdD"));
+  std::int64_t exponent = 0;
+  if (mark < text.size()) {
+    const auto parsed = parse_integer(text.substr(mark + 1) == "-0" ? "0" : text.substr(mark + 1));
+    if (!parsed || *parsed < -400 || *parsed > 400) return {};
+    exponent = *parsed;
+  }
+  const std::string_view mantissa = text.substr(0, mark);
+  const auto point = std::min(mantissa.size(), mantissa.find('.'));
+  std::string digits(mantissa.substr(0, point));
+  std::string fraction(point < mantissa.size() ? mantissa.substr(point + 1) : std::string_view{});
+  if (digits.empty() || digits == "-" || fraction.find_first_not_of("0123456789") != std::string::npos) return {};
+  for (; exponent < 0 && digits.size() > (digits[0] == '-' ? 2u : 1u); ++exponent) {
+    fraction.insert(fraction.begin(), digits.back());
+    digits.pop_back();
+  }
+  if (exponent < 0) return {};
+  const auto given = static_cast<std::int64_t>(fraction.size());
+  if (exponent > given + most_zeros) return {};
+  fraction.resize(static_cast<std::size_t>(std::max(given, exponent)), '0');
+  digits += fraction.substr(0, static_cast<std::size_t>(exponent));
+  if (fraction.find_first_not_of('0', static_cast<std::size_t>(exponent)) != std::string::npos) return {};
+  return parse_integer(digits);
+}
+
 std::string to_text(double value) {
   char buffer[64];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);

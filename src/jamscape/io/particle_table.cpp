@@ -1,6 +1,7 @@
 #include "jamscape/io/particle_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,9 @@
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/io/cluster_columns.hpp"
+#include "jamscape/io/leading_lines.hpp"
 #include "jamscape/io/number_text.hpp"
+#include "jamscape/io/packing_check.hpp"
 #include "jamscape/io/run_layout.hpp"
 #include "jamscape/io/vector_columns.hpp"
 
@@ -24,53 +27,59 @@ const VectorNames spin_names{{{"spin_x", "wx", "omegax", "omega_x"},
                               {"spin_y", "wy", "omegay", "omega_y"},
                               {"spin_z", "wz", "omegaz", "omega_z"}}};
 const VectorNames angle_names{{{"angle_x"}, {"angle_y"}, {"angle_z"}}};
+const ColumnNames radius_names{"radius", "r"}, diameter_names{"diameter", "d"}, mass_names{"mass", "m"};
+const ColumnNames id_names{"id", "particle", "particle_id", "grain"};
 
-/// Entries of the leading lines, by key.
-class Metadata {
- public:
-  explicit Metadata(const CsvFile& csv) : csv_(csv) {}
+KnownKeys particle_keys() {
+  KnownKeys keys{
+      .here = {"dimension", "step", "time", "stage", "packing_fraction", "packing_fraction_plain", "lo", "hi",
+               "periodic"},
+      .once = {},
+      .consequential = {"dimension", "packing_fraction", "packing_fraction_plain", "periodic", "shape", "wall"},
+      .elsewhere = {"wall"},
+      .other_table = "table of contacts"};
+  for (const auto& [name, member] : run_layout::energies) keys.here.emplace_back(name);
+  keys.once = keys.here;
+  keys.here.emplace_back("shape");
+  return keys;
+}
 
-  const std::string* text(std::string_view key) const {
-    for (const auto& [name, value] : csv_.metadata())
-      if (name == key) return &value;
-    return nullptr;
-  }
-  std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count) const {
-    const std::string* value = text(key);
-    if (!value) return {};
-    const auto found = parse_numbers(*value, count);
-    if (!found)
-      throw data_error(
-          fmt::format("the line '# {}: {}' should hold {} number{}", key, *value, count, count == 1 ? "" : "s"),
-          csv_.file());
-    return found;
-  }
-  double number(std::string_view key, double otherwise) const {
-    const auto found = numbers(key, 1);
-    return found ? (*found)[0] : otherwise;
-  }
-
- private:
-  const CsvFile& csv_;
-};
-
-int dimension_of(const CsvFile& csv, const Metadata& metadata) {
-  if (const auto given = metadata.numbers("dimension", 1)) {
-    if ((*given)[0] != 2 && (*given)[0] != 3)
-      throw data_error(fmt::format("the dimension is {}, not 2 or 3", to_text((*given)[0])), csv.file());
-    return static_cast<int>((*given)[0]);
-  }
+int dimension_of(const CsvFile& csv, const LeadingLines& lines, std::vector<std::string>& notes) {
   const auto z = find_column(csv, position_names[2]);
+  if (const auto given = lines.numbers("dimension", 1)) {
+    if ((*given)[0] != 2 && (*given)[0] != 3)
+      throw data_error(fmt::format("the dimension is {}, not 2 or 3", to_text((*given)[0])),
+                       lines.find("dimension")->place);
+    const int dimension = static_cast<int>((*given)[0]);
+    if (dimension == 2 && z) {
+      const auto values = read_finite(csv, *z);
+      const auto [low, high] = std::minmax_element(values.begin(), values.end());
+      if (!values.empty() && *low != *high)
+        notes.push_back(fmt::format("the line '# dimension: 2' is believed: z, from {} to {}, is left out",
+                                    to_text(*low), to_text(*high)));
+    }
+    return dimension;
+  }
   if (!z) return 2;
   const auto values = read_finite(csv, *z);
-  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; }) ? 2 : 3;
+  if (values.empty()) return 3;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto size = find_column(csv, radius_names) ? find_column(csv, radius_names) : find_column(csv, diameter_names);
+  const auto sizes = size ? read_finite(csv, *size) : std::vector<double>{0};
+  // A layer that rounding has bent stays a layer; heights that differ for good make a packing in space.
+  if (*high - *low > 1e-6 * *std::min_element(sizes.begin(), sizes.end())) return 3;
+  if (*low != 0 || *high != 0)
+    notes.push_back(
+        fmt::format("all grains lie at z = {}: taken as discs in a plane; spheres need the line "
+                    "'# dimension: 3'",
+                    to_text(*low)));
+  return 2;
 }
 
 std::vector<double> read_radius(const CsvFile& csv) {
-  const auto diameter = find_column(csv, {"diameter", "d"});
-  const std::size_t column = diameter && !find_column(csv, {"radius", "r"})
-                                 ? *diameter
-                                 : need_column(csv, {"radius", "r"}, "the size of a grain");
+  const auto diameter = find_column(csv, diameter_names);
+  const std::size_t column =
+      diameter && !find_column(csv, radius_names) ? *diameter : need_column(csv, radius_names, "the size of a grain");
   std::vector<double> values = read_finite(csv, column);
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (values[row] <= 0)
@@ -80,6 +89,8 @@ std::vector<double> read_radius(const CsvFile& csv) {
   }
   return values;
 }
+
+double power(double x, int dimension) { return dimension == 2 ? x * x : x * x * x; }
 
 /// Rotations: in 2D the one component out of the plane, under its plain name too.
 std::vector<Vec3> read_rotation(const CsvFile& csv, ColumnNames plain, const VectorNames& names, int dimension) {
@@ -109,15 +120,26 @@ std::vector<std::int32_t> read_species(const CsvFile& csv) {
   return species;
 }
 
-double power(double x, int dimension) { return dimension == 2 ? x * x : x * x * x; }
+/// Area (volume in space) of a grain; overlap of a cluster's arms counts once.
+double room(const Packing& p, std::size_t n) {
+  const Grains& g = p.grains;
+  if (p.shapes.empty())
+    return (p.dimension == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3) * power(g.radius[n], p.dimension);
+  const ClusterShape& shape = p.shapes[static_cast<std::size_t>(g.shape[n])];
+  return (p.dimension == 2 ? shape.area : shape.volume) * power(g.scale[n], p.dimension);
+}
 
-std::vector<double> read_mass(const CsvFile& csv, const std::vector<double>& radius, int dimension,
-                              std::vector<std::string>& notes) {
-  if (const auto column = find_column(csv, {"mass", "m"})) return read_finite(csv, *column);
-  notes.push_back("no masses are given: taken for one material, mass 1 at the mean radius");
-  const double mean = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
+std::vector<double> mass_of_one_material(const Packing& p) {
+  const Grains& g = p.grains;
   std::vector<double> mass;
-  for (double r : radius) mass.push_back(power(r / mean, dimension));
+  if (p.shapes.empty()) {
+    const double mean = std::accumulate(g.radius.begin(), g.radius.end(), 0.0) / static_cast<double>(g.size());
+    for (const double r : g.radius) mass.push_back(power(r / mean, p.dimension));
+    return mass;
+  }
+  double total = 0;
+  for (std::size_t n = 0; n < g.size(); ++n) total += room(p, n);
+  for (std::size_t n = 0; n < g.size(); ++n) mass.push_back(room(p, n) * static_cast<double>(g.size()) / total);
   return mass;
 }
 
@@ -142,39 +164,66 @@ std::vector<T> ordered(const std::vector<T>& values, const std::vector<std::size
   return out;
 }
 
-void read_grains(const CsvFile& csv, Packing& packing, std::vector<std::string>& notes) {
+/// The row of each grain.
+std::vector<std::size_t> read_grains(const CsvFile& csv, Packing& packing, std::vector<std::string>& notes) {
   const int dimension = packing.dimension;
-  const std::size_t column = need_column(csv, {"id", "particle", "particle_id", "grain"}, "the name of a grain");
+  const std::size_t column = need_column(csv, id_names, "the name of a grain");
   need_column(csv, position_names[0], "where a grain is");
   const auto id = csv.integers(column);
-  const auto order = order_by_id(csv, column, id);
+  auto order = order_by_id(csv, column, id);
   const auto radius = read_radius(csv);
   const auto velocity = read_vectors(csv, velocity_names, dimension);
   Grains& g = packing.grains;
   g.id = ordered(id, order);
   g.species = ordered(read_species(csv), order);
   g.radius = ordered(radius, order);
-  g.mass = ordered(read_mass(csv, radius, dimension, notes), order);
   g.position = ordered(*read_vectors(csv, position_names, dimension), order);
   g.velocity = velocity ? ordered(*velocity, order) : std::vector<Vec3>(id.size(), Vec3{});
   g.spin = ordered(read_rotation(csv, {"spin", "omega"}, spin_names, dimension), order);
   g.angle = ordered(read_rotation(csv, {"angle"}, angle_names, dimension), order);
+  if (dimension == 2 && velocity) refuse_out_of_plane(csv, velocity_names[2]);
   read_clusters(csv, order, packing);
+  if (const auto mass = find_column(csv, mass_names)) {
+    g.mass = ordered(read_finite(csv, *mass), order);
+  } else {
+    g.mass = mass_of_one_material(packing);
+    notes.push_back(packing.shapes.empty() ? "no masses are given: taken for one material, mass 1 at the mean radius"
+                                           : "no masses are given: taken for one material, 1 in the mean");
+  }
+  return order;
 }
 
-Domain read_domain(const CsvFile& csv, const Metadata& metadata, const Packing& packing,
-                   std::vector<std::string>& notes) {
+/// Three numbers, or two in the plane.
+std::optional<Vec3> corner(const LeadingLines& lines, const char* key, int dimension) {
+  const CsvRemark* line = lines.find(key);
+  if (line == nullptr) return {};
+  auto values = dimension == 2 ? parse_numbers(line->value, 2) : std::nullopt;
+  if (!values) values = lines.numbers(key, 3);
+  values->resize(3, 0);
+  return Vec3{(*values)[0], (*values)[1], (*values)[2]};
+}
+
+Domain read_domain(const LeadingLines& lines, const Packing& packing, std::vector<std::string>& notes) {
   Domain domain;
-  const auto lo = metadata.numbers("lo", 3), hi = metadata.numbers("hi", 3), periodic = metadata.numbers("periodic", 3);
+  const auto lo = corner(lines, "lo", packing.dimension), hi = corner(lines, "hi", packing.dimension),
+             periodic = corner(lines, "periodic", packing.dimension);
   if (lo.has_value() != hi.has_value() || (periodic && !lo))
-    throw data_error("the box is given in part", csv.file(),
+    throw data_error("the box is given in part",
+                     (lo   ? lines.find("lo")
+                      : hi ? lines.find("hi")
+                           : lines.find("periodic"))
+                         ->place,
                      "give '# lo: x y z' and '# hi: x y z', with periodic or without");
+  for (int k = 0; periodic && k < 3; ++k)
+    if ((*periodic)[k] != 0 && (*periodic)[k] != 1)
+      throw data_error(fmt::format("'{}' is neither 0 nor 1", to_text((*periodic)[k])), lines.find("periodic")->place,
+                       "1 where the box repeats, 0 where it does not: '# periodic: 1 1 0'");
   for (int k = 0; k < (lo ? 3 : packing.dimension); ++k) {
     const auto d = static_cast<std::size_t>(k);
     if (lo) {
-      domain.lo[k] = (*lo)[d];
-      domain.hi[k] = (*hi)[d];
-      domain.periodic[d] = periodic && (*periodic)[d] != 0;
+      domain.lo[k] = (*lo)[k];
+      domain.hi[k] = (*hi)[k];
+      domain.periodic[d] = periodic && (*periodic)[k] != 0;
       continue;
     }
     const Grains& g = packing.grains;
@@ -190,31 +239,44 @@ Domain read_domain(const CsvFile& csv, const Metadata& metadata, const Packing& 
 
 double plain_fraction(const Packing& packing) {
   double grains = 0, box = 1;
-  const double unit = packing.dimension == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3;
-  for (double r : packing.grains.radius) grains += unit * power(r, packing.dimension);
+  for (std::size_t n = 0; n < packing.grains.size(); ++n) grains += room(packing, n);
   for (int k = 0; k < packing.dimension; ++k) box *= packing.domain.hi[k] - packing.domain.lo[k];
   return box > 0 ? grains / box : 0;
 }
 
 }  // namespace
 
-Packing read_particles(const CsvFile& csv, std::vector<std::string>& notes) {
-  const Metadata metadata(csv);
-  Packing packing;
-  packing.dimension = dimension_of(csv, metadata);
-  read_grains(csv, packing, notes);
-  packing.domain = read_domain(csv, metadata, packing, notes);
-  if (const std::string* stage = metadata.text("stage")) packing.stage = *stage;
-  if (const std::string* step = metadata.text("step")) {
-    const auto value = parse_integer(*step);
-    if (!value) throw data_error(fmt::format("the step '{}' is no integer", *step), csv.file());
+ReadParticles read_particles(const CsvFile& csv, std::vector<std::string>& notes) {
+  const LeadingLines lines(csv, particle_keys(), notes);
+  ReadParticles read;
+  Packing& packing = read.packing;
+  packing.dimension = dimension_of(csv, lines, notes);
+  read.row = read_grains(csv, packing, notes);
+  packing.domain = read_domain(lines, packing, notes);
+  if (const CsvRemark* stage = lines.find("stage")) packing.stage = stage->value;
+  if (const CsvRemark* step = lines.find("step")) {
+    const auto value = parse_integer(step->value);
+    if (!value) throw data_error(fmt::format("the step '{}' is no integer", step->value), step->place);
     packing.step = *value;
   }
-  packing.time = metadata.number("time", 0);
-  packing.packing_fraction_plain = metadata.number("packing_fraction_plain", plain_fraction(packing));
-  packing.packing_fraction = metadata.number("packing_fraction", packing.packing_fraction_plain);
-  for (const auto& [name, member] : run_layout::energies) packing.energy.*member = metadata.number(name, 0);
-  return packing;
+  packing.time = lines.number("time", 0);
+  packing.packing_fraction_plain = lines.number("packing_fraction_plain", plain_fraction(packing));
+  packing.packing_fraction = lines.number("packing_fraction", packing.packing_fraction_plain);
+  for (const auto& [name, member] : run_layout::energies) packing.energy.*member = lines.number(name, 0);
+  const auto place_of = [&](const ColumnNames& names) {
+    return [&csv, &read, column = find_column(csv, names).value_or(0)](std::size_t n) {
+      return csv.place(read.row[n], column);
+    };
+  };
+  const CsvRemark* lo = lines.find("lo");
+  check_grains(packing, {place_of(id_names), {}, lo ? lo->place : csv.place_of_header()});
+  if (const auto unread = csv.unread(); !unread.empty())
+    notes.push_back(fmt::format("columns of particles that nothing reads: {}", fmt::join(unread, ", ")));
+  return read;
+}
+
+bool holds_particles(const CsvFile& csv) {
+  return find_column(csv, position_names[0]) && (find_column(csv, radius_names) || find_column(csv, diameter_names));
 }
 
 Table particle_table(const Packing& packing) {

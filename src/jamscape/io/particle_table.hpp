@@ -9,8 +9,17 @@
 
 namespace jam {
 
-/// A packing without contacts and walls; appends to the notes what was assumed.
-Packing read_particles(const CsvFile& csv, std::vector<std::string>& notes);
+/// A packing without contacts and walls, and the row in which each of its grains stands.
+struct ReadParticles {
+  Packing packing;
+  std::vector<std::size_t> row;
+};
+
+/// Whether the columns are those of particles.
+bool holds_particles(const CsvFile& csv);
+
+/// Appends to the notes what was assumed.
+ReadParticles read_particles(const CsvFile& csv, std::vector<std::string>& notes);
 
 Table particle_table(const Packing& packing);
 CsvMetadata particle_metadata(const Packing& packing);

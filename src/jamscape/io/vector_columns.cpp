@@ -20,7 +20,12 @@ std::vector<double> read_finite(const CsvFile& csv, std::size_t column) {
 }
 
 std::optional<std::vector<Vec3>> read_vectors(const CsvFile& csv, const VectorNames& names, int dimension) {
-  if (!find_column(csv, names[0])) return {};
+  if (!find_column(csv, names[0])) {
+    for (int k = 1; k < dimension; ++k)
+      if (const auto other = find_column(csv, names[static_cast<std::size_t>(k)]))
+        need_column(csv, names[0], fmt::format("it goes with '{}'", csv.columns()[*other]));
+    return {};
+  }
   std::vector<Vec3> vectors(csv.rows(), Vec3{});
   for (int k = 0; k < dimension; ++k) {
     const auto& name = names[static_cast<std::size_t>(k)];
@@ -28,6 +33,18 @@ std::optional<std::vector<Vec3>> read_vectors(const CsvFile& csv, const VectorNa
     for (std::size_t row = 0; row < values.size(); ++row) vectors[row][k] = values[row];
   }
   return vectors;
+}
+
+void refuse_out_of_plane(const CsvFile& csv, const ColumnNames& names) {
+  const auto column = find_column(csv, names);
+  if (!column) return;
+  const std::vector<double> values = read_finite(csv, *column);
+  for (std::size_t row = 0; row < values.size(); ++row)
+    if (values[row] != 0)
+      throw data_error(fmt::format("'{}' in column '{}' leaves the plane of a two-dimensional packing",
+                                   csv.field(row, *column), csv.columns()[*column]),
+                       csv.place(row, *column),
+                       "a layer of spheres has the line '# dimension: 3' in its table of particles");
 }
 
 void add_vectors(Table& table, const std::array<std::string, 3>& names, const std::vector<Vec3>& vectors,

@@ -14,9 +14,12 @@ namespace jam {
 /// The names of the columns of x, y and z.
 using VectorNames = std::array<ColumnNames, 3>;
 
-/// The vectors, z = 0 in two dimensions; no value when there is no column for x. Throws a data error when a component
+/// The vectors, z = 0 in two dimensions; no value when there is no column of them. Throws a data error when a component
 /// is missing or not finite.
 std::optional<std::vector<Vec3>> read_vectors(const CsvFile& csv, const VectorNames& names, int dimension);
+
+/// Throws a data error where a column of z components holds anything but 0.
+void refuse_out_of_plane(const CsvFile& csv, const ColumnNames& names);
 
 /// Numbers of which all must be finite.
 std::vector<double> read_finite(const CsvFile& csv, std::size_t column);
