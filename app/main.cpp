@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <system_error>
 
 #include "commands.hpp"
@@ -80,6 +81,11 @@ int main(int argc, char** argv) {
     print_notes();
     jam::app::complain("error: {}\n", error.what());
     return static_cast<int>(error.code());
+  } catch (const std::bad_alloc&) {
+    jam::app::complain(
+        "error: there is not enough memory for this\n  try: a machine with more, fewer jobs at a time, or a smaller "
+        "packing or network\n");
+    return static_cast<int>(jam::ExitCode::data);
   } catch (const std::system_error& error) {  // of fmt::print
     jam::app::complain("error: {}\n", error.what());
     return static_cast<int>(jam::ExitCode::data);

@@ -11,16 +11,11 @@
 #include "complain.hpp"
 #include "jamscape/base/cores.hpp"
 #include "jamscape/base/files.hpp"
-#include "jamscape/io/column_names.hpp"
+#include "jamscape/base/printable.hpp"
 #include "jamscape/io/csv.hpp"
-#include "jamscape/io/network_file.hpp"
-#include "jamscape/io/packing_csv.hpp"
-#include "jamscape/io/run_file.hpp"
 #include "jamscape/study/measure_task.hpp"
 #include "jamscape/study/results.hpp"
-#include "jamscape/topology/bins.hpp"
-#include "jamscape/topology/total.hpp"
-#include "normalise.hpp"
+#include "measure_files.hpp"
 #include "write_results.hpp"
 
 namespace jam::app {
@@ -31,7 +26,8 @@ namespace fs = std::filesystem;
 struct MeasureArguments {
   std::vector<std::string> files, settings, names;
   std::string out;
-  bool again = false;
+  std::optional<double> frame;
+  bool again = false, walls = false, anyway = false;
 };
 
 Study with_settings(Study study, const MeasureArguments& a) {
@@ -71,117 +67,45 @@ ExitCode measure_results(const MeasureArguments& a) {
   return damaged ? ExitCode::data : ExitCode::done;
 }
 
-/// Adds the rows of `part` below those of `whole`; an empty whole takes the columns of the part.
-void append(Table& whole, const Table& part) {
-  if (whole.columns.empty()) {
-    whole = part;
-    return;
-  }
-  for (std::size_t c = 0; c < part.columns.size(); ++c)
-    std::visit(
-        [&](auto& values) {
-          const auto& more = std::get<std::decay_t<decltype(values)>>(part.columns[c].values);
-          values.insert(values.end(), more.begin(), more.end());
-        },
-        whole.columns[c].values);
-}
-
-/// The measures of one row a frame side by side, or one measure of several rows.
-Table measure_packing(const Packing& packing, const MeasureOptions& options, const std::vector<std::string>& names) {
-  const Snapshot snapshot(packing, options);
-  if (names.size() == 1 && find_measure(names.front()).rows == Rows::many)
-    return find_measure(names.front()).evaluate(snapshot);
-  Table row;
-  row.add("packing_fraction", std::vector<double>{packing.packing_fraction});
-  for (const Measure& m : measures()) {
-    const bool wanted = names.empty() || std::find(names.begin(), names.end(), m.name) != names.end();
-    if (!wanted) continue;
-    if (m.rows == Rows::many) {
-      if (names.empty()) continue;
-      throw usage_error(fmt::format("'{}' gives a table of its own", m.name), "--measure", "ask for it alone");
-    }
-    for (Column& c : m.evaluate(snapshot).columns) row.columns.push_back(std::move(c));
-  }
-  return row;
-}
-
-Table measure_network(const fs::path& file, const MeasureOptions& options) {
-  NamedGraph network = read_network(file);
-  const double mean = normalise(network.graph);
-  if (options.clamp > 0) clamp(network.graph, options.clamp);
-  const Diagram diagram = persistence(network.graph);
-  Table row;
-  const auto count = [&](const char* name, std::size_t n) {
-    row.add(name, std::vector<std::int64_t>{static_cast<std::int64_t>(n)});
+void refuse_for_folder(const MeasureArguments& a) {
+  const auto refuse = [](const char* option, const char* advice) {
+    throw usage_error(fmt::format("{} is for files, not for a folder of results", option), "measure", advice);
   };
-  count("vertices", network.graph.vertices);
-  count("edges", network.graph.edges());
-  row.add("mean_force", std::vector<double>{mean});
-  row.add("z", std::vector<double>{2 * static_cast<double>(network.graph.edges()) / network.graph.vertices});
-  for (const int k : {0, 1}) {
-    const BinCounts b = persistence_bins(diagram, k);
-    count(k == 0 ? "b0_rough" : "b1_rough", b.rough);
-    count(k == 0 ? "b0_strong" : "b1_strong", b.strong);
-    count(k == 0 ? "b0_medium" : "b1_medium", b.medium);
-    count(k == 0 ? "b0_weak" : "b1_weak", b.weak);
-  }
-  for (const int k : {0, 1}) row.add(k == 0 ? "tp0" : "tp1", std::vector<double>{total_persistence(diagram, k)});
-  return row;
-}
-
-bool holds_particles(const CsvFile& csv) {
-  return find_column(csv, {"x"}) && (find_column(csv, {"radius", "r"}) || find_column(csv, {"diameter", "d"}));
-}
-
-struct MeasuredRuns {
-  Table table;
-  bool damaged = false;
-};
-
-/// Frame by frame; files that cannot be used are named and left out, unless all are.
-MeasuredRuns measure_runs(const std::vector<std::string>& files, const MeasureOptions& options,
-                          const std::vector<std::string>& names) {
-  MeasuredRuns all;
-  for (const std::string& file : files) try {
-      Table part;
-      const RunFile run(file);
-      for (std::size_t f = 0; f < run.frames(); ++f) append(part, measure_packing(run.frame(f), options, names));
-      append(all.table, part);
-    } catch (const Error& error) {
-      if (error.code() != ExitCode::data || files.size() == 1) throw;
-      complain("error: {}\n", error.what());
-      all.damaged = true;
-    }
-  return all;
-}
-
-Table measure_files(const std::vector<std::string>& files, const MeasureOptions& options,
-                    const std::vector<std::string>& names) {
-  if (files.size() == 2) {
-    const bool first = holds_particles(CsvFile::read(files[0]));
-    const ImportedPacking imported = read_packing_csv(files[first ? 0 : 1], files[first ? 1 : 0]);
-    for (const std::string& note : imported.notes) complain("note: {}\n", note);
-    return measure_packing(imported.packing, options, names);
-  }
-  if (files.size() != 1)
-    throw usage_error("give a folder of results, run.h5 files, a network, or particles and contacts", "measure");
-  if (!names.empty())
-    throw usage_error("a network without grains has no measures of a packing to choose from", "--measure",
-                      "give its particles too, or use `jamscape persistence`");
-  return measure_network(files.front(), options);
+  if (a.files.size() > 1)
+    throw usage_error(fmt::format("a folder of results is measured alone, not beside '{}'", a.files[1]), "measure",
+                      "give one folder at a time");
+  if (!a.out.empty())
+    refuse("--out", "its tables are written into the folder; `jamscape export` writes packings elsewhere");
+  if (a.frame) refuse("--frame", "its tables name the frame of every row");
+  if (a.walls) refuse("--walls", "a packing's walls are known, and are no vertices");
+  if (a.anyway) refuse("--anyway", "");
 }
 
 ExitCode measure(const MeasureArguments& a) {
   std::error_code ignored;
-  if (fs::is_directory(a.files.front(), ignored)) return measure_results(a);
+  for (const std::string& file : a.files)
+    if (fs::is_directory(file, ignored) && &file != &a.files.front())
+      throw usage_error(fmt::format("'{}' is a folder, '{}' is not measured beside it", file, a.files.front()),
+                        "measure", "give one folder, or files");
+  if (fs::is_directory(a.files.front(), ignored)) {
+    refuse_for_folder(a);
+    return measure_results(a);
+  }
+  if (a.again)
+    throw usage_error("--again is for a folder of results", "measure",
+                      "files are measured anew every time: leave it out");
   Study study;
   study.info.name = "measure";
   study.systems = {};
   study.base.stages.resize(1);
-  const Study set = with_settings(study, a);
-  const MeasuredRuns measured = fs::path(a.files.front()).extension() == ".h5"
-                                    ? measure_runs(a.files, set.measure, a.names)
-                                    : MeasuredRuns{measure_files(a.files, set.measure, a.names)};
+  Study set = with_settings(study, a);
+  FileRequest request{a.files, a.names, {}, set.measure, a.frame, a.walls, a.anyway};
+  if (request.measures.empty()) request.measures = set.measures.list;
+  for (const std::string& text : a.settings) request.set.push_back(read_setting(text).key);
+  if (std::find(request.set.begin(), request.set.end(), "measure.rows_every") == request.set.end())
+    request.options.rows_every = 0;  // who gives files wants them measured
+  const FileResult measured = measure_files(request);
+  for (const std::string& note : measured.notes) complain("note: {}\n", printable(note));
   if (a.out.empty())
     fmt::print("{}", to_csv(measured.table));
   else
@@ -199,6 +123,9 @@ void add_measure(CLI::App& program, Action& action) {
   sub->add_option("--measure,-m", a->names, "only these measures")->allow_extra_args(false);
   sub->add_option("--set", a->settings, "change an option of the measures: measure.KEY=value")->allow_extra_args(false);
   sub->add_option("--out,-o", a->out, "of files: CSV to write (default: standard output)");
+  sub->add_option("--frame", a->frame, "of files with several frames: the one to measure (run.h5: counted from 0)");
+  sub->add_flag("--walls", a->walls, "of a network: walls (negative numbers) become vertices");
+  sub->add_flag("--anyway", a->anyway, "of a network: however much memory it takes");
   sub->add_flag("--again", a->again, "of a folder: also what has been measured before");
   sub->callback([a, &action] { action = [a] { return measure(*a); }; });
 }

@@ -91,27 +91,26 @@ class Writer {
   /// Every clique of dimension k that occurs in a pair, each once.
   template <class Visit>
   void visit_cliques(int k, const Visit& visit) {
-    for (auto& p : diagram_.pairs) {
+    for (const auto& p : diagram_.pairs) {
       if (p.dimension == k) visit(p.birth_cell);
       if (p.dimension + 1 == k && !p.essential) visit(p.death_cell);
     }
   }
 
-  /// Keeps the cliques that occur in pairs, in order, and renames the pairs' cells accordingly.
+  /// Keeps the vertices of the cliques that occur in pairs, in order; the pairs keep their numbers.
   void name_cliques(const Cliques& cliques) {
     const auto k = static_cast<int>(cliques.dimension);
     chosen_.assign(cliques.count(), 0);
-    visit_cliques(k, [&](CellId& clique) { chosen_[static_cast<std::size_t>(clique)] = 1; });
+    visit_cliques(k, [&](CellId clique) { chosen_[static_cast<std::size_t>(clique)] = 1; });
     std::uint32_t count = 0;
-    for (std::uint32_t clique = 0; clique < cliques.count(); ++clique) {  // the new number of those that occur
+    for (std::uint32_t clique = 0; clique < cliques.count(); ++clique) {  // the place of those that occur
       count += chosen_[clique];
       chosen_[clique] = count - 1;
     }
     const std::size_t size = cliques.dimension + 1;
     auto& out = diagram_.cliques.emplace_back(count * size);
-    visit_cliques(k, [&](CellId& cell) {
+    visit_cliques(k, [&](CellId cell) {
       const auto clique = static_cast<std::uint32_t>(cell);
-      cell = chosen_[clique];
       write_vertices(cliques, clique, out.data() + chosen_[clique] * size);
     });
   }

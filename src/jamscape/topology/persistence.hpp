@@ -28,8 +28,8 @@ struct PersistenceOptions {
   bool keep_zero_length = false;  ///< keep pairs with birth == death of cells that are not isolated vertices
 };
 
-/// Index of a cell: a vertex in dimension 0, an edge in dimension 1; in dimension k >= 2 the index into
-/// Diagram::cliques of that dimension. -1 where there is none (the death of an essential class).
+/// Index of a cell: a vertex in dimension 0, an edge in dimension 1, a clique in dimension k >= 2 among all of them as they
+/// enter, the same whatever else is asked for. -1 where there is none (the death of an essential class).
 using CellId = std::int64_t;
 
 struct PersistencePair {
@@ -44,8 +44,8 @@ struct PersistencePair {
 /// All pairs, by dimension, then decreasing birth, then increasing birth cell: the same for any order of threads.
 struct Diagram {
   std::vector<PersistencePair> pairs;
-  /// vertices of the cliques that occur in pairs, by dimension (index 0 = triangles); flat, k + 1 increasing vertices
-  /// each
+  /// vertices of the cliques that occur in pairs, by dimension (index 0 = triangles) and number; flat, k + 1 increasing
+  /// ones each
   std::vector<std::vector<std::uint32_t>> cliques;
 };
 

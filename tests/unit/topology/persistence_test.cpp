@@ -158,7 +158,7 @@ TEST(Cells, are_reported_with_their_values) {
   EXPECT_EQ(d.pairs[0].birth_cell, 0);  // the older of the two vertices of value 5
   EXPECT_EQ(d.pairs[0].death_cell, -1);
   EXPECT_EQ(d.pairs[1].birth_cell, 3);
-  EXPECT_EQ(d.pairs[1].death_cell, 0);
+  EXPECT_EQ(d.pairs[1].death_cell, 1);  // 0 1 2 enters with it, as number 0
   ASSERT_EQ(d.cliques.size(), 1u);
   EXPECT_EQ(d.cliques[0].size(), 3u);
 }
@@ -171,12 +171,19 @@ void expect_cells_match(const WeightedGraph& g, const Diagram& d) {
     weight[std::minmax(g.from[e], g.to[e])] = g.weight[e];
     for (const auto v : {g.from[e], g.to[e]}) value[v] = std::max(value[v], g.weight[e]);
   }
-  std::set<std::pair<int, CellId>> used;
+  std::set<std::pair<int, CellId>> used, listed;
+  for (const auto& p : d.pairs) {
+    listed.emplace(p.dimension, p.birth_cell);
+    if (!p.essential) listed.emplace(p.dimension + 1, p.death_cell);
+  }
+  std::map<std::pair<int, CellId>, std::size_t> place;  // in the list of cliques of its dimension
+  std::map<int, std::size_t> count;
+  for (const auto& cell : listed) place[cell] = count[cell.first]++;
   const auto value_of = [&](int dimension, CellId id) {
     EXPECT_TRUE(used.emplace(dimension, id).second);
-    const auto i = static_cast<std::size_t>(id);
-    if (dimension == 0) return value.at(i);
-    if (dimension == 1) return g.weight.at(i);
+    if (dimension == 0) return value.at(static_cast<std::size_t>(id));
+    if (dimension == 1) return g.weight.at(static_cast<std::size_t>(id));
+    const std::size_t i = place.at({dimension, id});
     const auto k = static_cast<std::size_t>(dimension);
     const auto& all = d.cliques.at(k - 2);
     double smallest = std::numeric_limits<double>::infinity();
@@ -200,6 +207,20 @@ void expect_cells_match(const WeightedGraph& g, const Diagram& d) {
   for (std::size_t k = 2; k < d.cliques.size() + 2; ++k) cliques += d.cliques[k - 2].size() / (k + 1);
   for (const auto& [dimension, id] : used) in_pairs += dimension >= 2;
   EXPECT_EQ(cliques, in_pairs);
+}
+
+TEST(Cells, keep_their_numbers_whatever_is_asked_for) {
+  for (const auto& g : {examples::geometric(150, 3, .25, examples::forces(), 1),
+                        examples::erdos_renyi(40, .5, examples::levels(6), 2)}) {
+    const Diagram most = persistence(g, {3, Triangles::fill, true});
+    for (const int dimension : {0, 1, 2}) {
+      const Diagram d = persistence(g, {dimension, Triangles::fill, true});
+      for (std::size_t k = 0; k < d.pairs.size(); ++k) {
+        ASSERT_EQ(d.pairs[k].birth_cell, most.pairs[k].birth_cell);
+        ASSERT_EQ(d.pairs[k].death_cell, most.pairs[k].death_cell);
+      }
+    }
+  }
 }
 
 TEST(Cells, of_random_networks_match_their_pairs) {
