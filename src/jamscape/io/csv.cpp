@@ -25,7 +25,7 @@ std::string shown(std::string_view text) {
 
 bool needs_quotes(std::string_view text, bool first_column) {
   if (text.empty()) return first_column;  // a line with nothing on it would be skipped
-  return text.find_first_of(",;\t\"\r\n") != std::string_view::npos || trimmed(text).size() != text.size() ||
+  return text.find_first_of(",;|\t\"\r\n") != std::string_view::npos || trimmed(text).size() != text.size() ||
          text[0] == '#' || text.starts_with("sep=") || parse_double(text).has_value();
 }
 

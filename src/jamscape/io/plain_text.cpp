@@ -113,7 +113,7 @@ std::string read_plain_text(const std::filesystem::path& path) {
 Separator find_separator(std::string_view header, std::string_view first_row) {
   std::size_t most = 1;
   Separator best;
-  for (const char candidate : {',', ';', '\t', ' '}) {
+  for (const char candidate : {',', ';', '\t', '|', ' '}) {
     const std::size_t names = count_fields(header, candidate);
     if (candidate == ' ' && most > 1) break;
     if (names > most && (trimmed(first_row).empty() || count_fields(first_row, candidate) == names)) {
@@ -122,7 +122,7 @@ Separator find_separator(std::string_view header, std::string_view first_row) {
     }
   }
   if (most > 1) return best;
-  for (const char candidate : {',', ';', '\t'})  // a row that does not fit is named as such later
+  for (const char candidate : {',', ';', '\t', '|'})  // a row that does not fit is named as such later
     if (const std::size_t names = count_fields(header, candidate); names > most) {
       most = names;
       best.character = candidate;

@@ -23,7 +23,7 @@ struct Separator {
   bool stated = false;   ///< by a first line `sep=;`, which spreadsheets write
 };
 
-/// Decided by the header and the row below it: of commas, semicolons, tabs and blanks the one that gives the most
+/// Decided by the header and the row below it: of commas, semicolons, tabs, bars and blanks the one that gives the most
 /// columns, the same number in both.
 Separator find_separator(std::string_view header, std::string_view first_row);
 

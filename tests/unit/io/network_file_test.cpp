@@ -127,6 +127,8 @@ TEST_F(NetworkFile, TextOfSpreadsheets) {
   same("sep=;\r\ni;j;force\r\n0;1;2,5\r\n1;2;3,5\r\n;;\r\n");
   same("i;j;force\n0;1;2.5\n1;2;3.5\n");
   same("i\tj\tforce\n0\t1\t2,5\n1\t2\t3,5\n");
+  same("i|j|force\n0|1|2.5\n1|2|3.5\n");
+  same("\"i\";\"j\";\"force\"\n\"0\";\"1\";\"2,5\"\n1;2;3,5E0\n");
   same("i j force\n0 1 2.5\n1  2 3.5\n");
   same("i,j,force\r0,1,2.5\r1,2,3.5\r");
   same("\xef\xbb\xbfi,j,force\n0,1,2.5\n1,2,3.5\n");
