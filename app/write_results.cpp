@@ -12,13 +12,17 @@
 #include "jamscape/report/report.hpp"
 #include "jamscape/study/ensemble.hpp"
 #include "jamscape/study/tables.hpp"
+#include "jamscape/study/transition_kinds.hpp"
 #include "jamscape/study/transitions.hpp"
 
 namespace jam::app {
 namespace {
 
 std::string with_error(const Transition& t) {
-  if (!std::isfinite(t.value)) return "not reached";
+  if (!std::isfinite(t.value)) {
+    const std::string why(why_missing(t.quantity));
+    return why.substr(0, why.find(':'));  // "no fit"; `jamscape score` and the documentation say why
+  }
   return std::isfinite(t.se) ? fmt::format("{:.4f} +- {:.4f}", t.value, t.se) : fmt::format("{:.4f}", t.value);
 }
 

@@ -52,6 +52,8 @@ struct MeasureOptions {
   bool rough_includes_edge = false;
   double contact_force_max = 10;
   std::int64_t contact_force_bins = 50;
+  double jamming_z = 4;
+  double jamming_pressure = 1e-3;
   double rdf_bin = 0.02;
   double rdf_range = 4;
   double rdf_margin_ends = 10;
@@ -126,6 +128,20 @@ struct MeasureOptions {
               .min = 1,
               .max = 1e5,
               .source = "S3, Data analysis"});
+    v.option("jamming_z", jamming_z,
+             {.text = "contact number whose last upward crossing is the transition rho_z; 4: discs without and spheres "
+                      "with friction can just be stable",
+              .min = 0,
+              .max = 100,
+              .above_min = true,
+              .source = "theory sec. 4"});
+    v.option("jamming_pressure", jamming_pressure,
+             {.text = "pressure whose last upward crossing is the transition rho_pressure",
+              .unit = "m/tau_c^2, in space m/(d tau_c^2)",
+              .min = 0,
+              .max = 1e9,
+              .above_min = true,
+              .source = "theory sec. 4"});
     v.option("rdf_bin", rdf_bin,
              {.text = "radial distribution: width of a bin",
               .unit = "L",

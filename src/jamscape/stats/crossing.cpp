@@ -1,8 +1,10 @@
 #include "jamscape/stats/crossing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/stats/curves.hpp"
 
@@ -17,9 +19,9 @@ std::vector<Crossing> crossings(std::span<const double> x, std::span<const doubl
   std::size_t last = x.size();
   for (std::size_t k = 0; k < x.size(); ++k) {
     if (std::isnan(y[k])) continue;
-    if (last < k && (y[last] < level) != (y[k] < level)) {
-      const double at = x[last] + (level - y[last]) / (y[k] - y[last]) * (x[k] - x[last]);
-      found.push_back({at, y[last] < level ? Direction::upward : Direction::downward});
+    if (last < k && reaches(y[last], level) != reaches(y[k], level)) {
+      const double way = std::clamp((level - y[last]) / (y[k] - y[last]), 0.0, 1.0);
+      found.push_back({x[last] + way * (x[k] - x[last]), reaches(y[last], level) ? Direction::downward : Direction::upward});
     }
     last = k;
   }

@@ -3,7 +3,7 @@
 //   x = x_k + (level - y_k)/(y_{k+1} - y_k) (x_{k+1} - x_k)
 //
 // A curve crosses upward where a sample below the level is followed by one at or above it, downward where one at or
-// above is followed by one below. The Z(phi) of a packing may cross 3 several times in the dilute state; jamming is its
+// above is followed by one below; a sample on the level but for rounding is on it (base/border.hpp). The Z(phi) of a packing may cross 3 several times in the dilute state; jamming is its
 // last upward crossing (S1 Table I; theory sec. 4).
 #pragma once
 

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/stats/least_squares.hpp"
 
 namespace jam {
@@ -27,28 +29,26 @@ double density(const GaussianLaw& law, double f) {
   return law.height * std::exp(-0.5 * u * u);
 }
 
+// Fitted as A exp(-beta f) - B exp(-f^2 - beta f), linear in A and B = A b.
 MuethLaw fit_mueth(std::span<const double> centre, std::span<const double> density) {
   if (centre.size() < 4 || !has_density(density)) return {none, none, none};
-  const Model model = [](double f, std::span<const double> p, std::span<double> gradient) {
-    const double bell = std::exp(-f * f), fall = std::exp(-p[2] * f), rise = 1 - p[1] * bell;
-    gradient[0] = rise * fall;
-    gradient[1] = -p[0] * bell * fall;
-    gradient[2] = -f * p[0] * rise * fall;
-    return p[0] * rise * fall;
+  const Terms terms = [](double f, double beta, std::span<double> factors) {
+    factors[0] = std::exp(-beta * f);
+    factors[1] = -std::exp(-f * f - beta * f);
   };
-  const Fit fit = least_squares(centre, density, model, {3, 0.75, 1.5});
-  if (!fit.converged) return {none, none, none};
-  return {fit.parameters[0], fit.parameters[1], fit.parameters[2]};
+  const auto fit = separable_fit(centre, density, terms, 2, geometric_grid(0.02, 50, 60));
+  if (!fit || fit->linear[0] == 0) return {none, none, none};
+  return {fit->linear[0], fit->linear[1] / fit->linear[0], fit->q};
 }
 
 GaussianLaw fit_gaussian(std::span<const double> centre, std::span<const double> density) {
   if (centre.size() < 4 || !has_density(density)) return {none, none, none};
-  double sum = 0, mean = 0, square = 0, highest = 0;
+  double sum = 0, mean = 0, square = 0, highest = 0, peak = 0;
   for (std::size_t k = 0; k < centre.size(); ++k) {
     sum += density[k];
     mean += density[k] * centre[k];
     square += density[k] * centre[k] * centre[k];
-    highest = std::max(highest, density[k]);
+    if (exceeds(density[k], highest)) highest = density[k], peak = centre[k];
   }
   mean /= sum;
   const double variance = square / sum - mean * mean;
@@ -60,7 +60,10 @@ GaussianLaw fit_gaussian(std::span<const double> centre, std::span<const double>
     gradient[2] = p[0] * e * u * u / p[2];
     return p[0] * e;
   };
-  const Fit fit = least_squares(centre, density, model, {highest, mean, std::sqrt(variance)});
+  const double sd = std::sqrt(variance);
+  const std::vector<double> starts[] = {{highest, mean, sd},     {highest, peak, sd},    {highest, peak, sd / 3},
+                                        {highest, mean, 2 * sd}, {highest, 0, sd},       {highest, -mean, 2 * sd}};
+  const Fit fit = least_squares(centre, density, model, starts, 2000);
   if (!fit.converged) return {none, none, none};
   return {fit.parameters[0], fit.parameters[1], std::abs(fit.parameters[2])};
 }

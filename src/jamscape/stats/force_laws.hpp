@@ -23,7 +23,8 @@ struct GaussianLaw {
 
 double density(const GaussianLaw& law, double f);
 
-/// Unweighted; all members NaN where there are too few bins or the fit does not converge. A distribution that falls
+/// Unweighted; all members NaN where there are too few bins or no fit. Mueth's by separable_fit for beta from .02 to
+/// 50; the Gaussian from several starts, the lowest residual taken. A distribution that falls
 /// from its first bin on has no Gaussian: its centre runs away below 0 and is NaN then, or far below 0.
 MuethLaw fit_mueth(std::span<const double> centre, std::span<const double> density);
 GaussianLaw fit_gaussian(std::span<const double> centre, std::span<const double> density);

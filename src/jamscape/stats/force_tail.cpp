@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/stats/least_squares.hpp"
 
@@ -28,14 +29,14 @@ ForcePeak force_peak(std::span<const double> centre, std::span<const double> cou
   check(centre, count, norm);
   const auto p = [&](std::size_t k) { return ratio(count[k], norm[k]); };
   std::size_t first = 0;
-  while (first < centre.size() && !(centre[first] > kFirstBins + 1e-9)) ++first;
+  while (first < centre.size() && !exceeds(centre[first], kFirstBins)) ++first;
   std::size_t peak = first;
   for (std::size_t k = first; k < centre.size(); ++k)
-    if (p(k) > p(peak)) peak = k;
+    if (exceeds(p(k), p(peak))) peak = k;  // the first of equals: widths of equal bins differ in their last digit
   if (first == 0 || peak >= centre.size() || !(count[peak] > 0)) return {none, none, none, false};
   std::size_t valley = 0;
   for (std::size_t k = 0; k < peak; ++k)
-    if (p(k) < p(valley)) valley = k;
+    if (exceeds(p(valley), p(k))) valley = k;
   ForcePeak result{centre[peak], p(peak) - p(valley), 0, false};
   for (const std::size_t k : {peak, valley})
     result.error = std::hypot(result.error, ratio(std::sqrt(count[k]), norm[k]));
@@ -49,7 +50,7 @@ Estimate force_bend(std::span<const double> centre, std::span<const double> coun
   double moments[5] = {}, right[3] = {};
   std::size_t bins = 0;
   for (std::size_t k = 0; k < centre.size(); ++k) {
-    if (!(centre[k] > kBendFrom && centre[k] < kBendTo && count[k] > 0)) continue;
+    if (!exceeds(centre[k], kBendFrom) || reaches(centre[k], kBendTo) || !(count[k] > 0)) continue;
     const double y = std::log(ratio(count[k], norm[k]));
     double power = count[k];
     for (std::size_t n = 0; n < 5; ++n, power *= centre[k]) {
@@ -70,8 +71,9 @@ ForceTail force_tail(std::span<const double> centre, std::span<const double> cou
   check(centre, count, norm);
   std::vector<double> density(centre.size());
   for (std::size_t k = 0; k < centre.size(); ++k) density[k] = ratio(count[k], norm[k]);
-  return {tail_exponent(centre, density), tail_exponent_loglinear(centre, density), fit_mueth(centre, density),
-          fit_gaussian(centre, density),  force_peak(centre, count, norm),          force_bend(centre, count, norm)};
+  return {tail_exponent(centre, count, norm), tail_exponent_loglinear(centre, count, norm),
+          fit_mueth(centre, density),         fit_gaussian(centre, density),
+          force_peak(centre, count, norm),    force_bend(centre, count, norm)};
 }
 
 }  // namespace jam

@@ -1,7 +1,8 @@
 // What S3 says of a distribution of forces (or stresses) in units of their mean, from its histogram: the exponent of
 // its tail, the laws it follows, and whether it has a peak.
 //
-//   prominence = P(peak) - P(valley): the peak is the highest bin beyond f = .3, the valley the lowest bin before it
+//   prominence = P(peak) - P(valley): the peak is the highest bin beyond f = .3, the valley the lowest bin before it, of
+//                equal ones (to 1e-12) the first
 //   error^2    = counting errors of the two bins, P^2/count, added
 //   type A     prominence > 2 errors: there is a peak ("Gaussian-like"); else type B, which falls from f = 0 on
 //

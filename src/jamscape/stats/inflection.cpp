@@ -100,7 +100,7 @@ std::optional<Inflection> fit_inflection(std::span<const double> x, std::span<co
   const double narrowest = spacing / 4;
   std::vector<double> start = first_guess(u, y, narrowest, parameters);
   if (start.empty()) return std::nullopt;
-  const Fit fit = least_squares(u, y, logistic_plus_line(narrowest), std::move(start), 500);
+  const Fit fit = least_squares(u, y, logistic_plus_line(narrowest), std::move(start), 2000);
   const std::vector<double>& p = fit.parameters;
   if (!fit.converged || !(std::abs(p[3]) <= 1)) return std::nullopt;
   Inflection found;

@@ -115,4 +115,101 @@ Fit least_squares(std::span<const double> x, std::span<const double> y, const Mo
   return fit;
 }
 
+Fit least_squares(std::span<const double> x, std::span<const double> y, const Model& model,
+                  std::span<const std::vector<double>> starts, int max_iterations) {
+  if (starts.empty()) throw data_error("a fit needs a start");
+  Fit best;
+  for (std::size_t s = 0; s < starts.size(); ++s) {
+    Fit fit = least_squares(x, y, model, starts[s], max_iterations);
+    fit.converged &= std::all_of(fit.parameters.begin(), fit.parameters.end(), [](double p) { return std::isfinite(p); });
+    if (s == 0 || (fit.converged && (!best.converged || fit.residual < best.residual))) best = std::move(fit);
+  }
+  return best;
+}
+
+std::vector<double> propagated_errors(std::span<const double> x, std::span<const double> variance, const Model& model,
+                                      std::span<const double> parameters) {
+  const std::size_t m = parameters.size();
+  std::vector<double> g(m), square(m * m, 0.0), middle(m * m, 0.0);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    model(x[k], parameters, g);
+    for (std::size_t a = 0; a < m; ++a)
+      for (std::size_t b = 0; b < m; ++b) {
+        square[a * m + b] += g[a] * g[b];
+        middle[a * m + b] += g[a] * g[b] * variance[k];
+      }
+  }
+  std::vector<double> errors;
+  for (std::size_t a = 0; a < m; ++a) {
+    std::vector<double> unit(m, 0.0);
+    unit[a] = 1;
+    const std::vector<double> row = solve_linear(square, std::move(unit));
+    if (row.empty()) return {};
+    double sum = 0;
+    for (std::size_t b = 0; b < m; ++b)
+      for (std::size_t c = 0; c < m; ++c) sum += row[b] * middle[b * m + c] * row[c];
+    errors.push_back(std::sqrt(sum));
+  }
+  return errors;
+}
+
+std::optional<SeparableFit> separable_fit(std::span<const double> x, std::span<const double> y, const Terms& terms,
+                                          std::size_t linear, std::span<const double> grid) {
+  std::vector<double> g(linear);
+  const auto at = [&](double q) {
+    std::vector<double> matrix(linear * linear, 0.0), right(linear, 0.0);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      terms(x[k], q, g);
+      for (std::size_t a = 0; a < linear; ++a) {
+        right[a] += g[a] * y[k];
+        for (std::size_t b = 0; b < linear; ++b) matrix[a * linear + b] += g[a] * g[b];
+      }
+    }
+    SeparableFit fit{q, solve_linear(std::move(matrix), std::move(right)), std::numeric_limits<double>::infinity()};
+    if (fit.linear.empty()) return fit;
+    fit.residual = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      terms(x[k], q, g);
+      double r = y[k];
+      for (std::size_t a = 0; a < linear; ++a) r -= g[a] * fit.linear[a];
+      fit.residual += r * r;
+    }
+    if (!std::isfinite(fit.residual)) fit.residual = std::numeric_limits<double>::infinity();
+    return fit;
+  };
+  const auto narrow = [&](double lo, double hi) {  // golden section
+    constexpr double golden = 0.6180339887498949;
+    SeparableFit a = at(hi - golden * (hi - lo)), b = at(lo + golden * (hi - lo));
+    for (int k = 0; k < 45; ++k) {  // to a part in 4e8 of the bracket; rounding of the residual leaves no more
+      if (a.residual <= b.residual) {
+        hi = b.q;
+        b = std::move(a);
+        a = at(hi - golden * (hi - lo));
+      } else {
+        lo = a.q;
+        a = std::move(b);
+        b = at(lo + golden * (hi - lo));
+      }
+    }
+    return a.residual <= b.residual ? a : b;
+  };
+  std::vector<double> residual;
+  for (const double q : grid) residual.push_back(at(q).residual);
+  std::optional<SeparableFit> best;
+  for (std::size_t k = 1; k + 1 < grid.size(); ++k) {
+    if (!(residual[k] < residual[k - 1] && residual[k] <= residual[k + 1])) continue;
+    SeparableFit fit = narrow(grid[k - 1], grid[k + 1]);
+    if (!best || fit.residual < best->residual) best = std::move(fit);
+  }
+  if (best && (residual.front() < best->residual || residual.back() < best->residual)) best.reset();
+  return best;
+}
+
+std::vector<double> geometric_grid(double lo, double hi, std::size_t n) {
+  std::vector<double> grid;
+  for (std::size_t k = 0; k < n; ++k)
+    grid.push_back(lo * std::pow(hi / lo, static_cast<double>(k) / static_cast<double>(std::max<std::size_t>(n, 2) - 1)));
+  return grid;
+}
+
 }  // namespace jam

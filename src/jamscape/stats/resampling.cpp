@@ -33,6 +33,10 @@ Estimate jackknife(std::size_t n, const Statistic& statistic) {
   return e;
 }
 
+double bootstrap_error(std::size_t n, std::span<const double> resampled) {
+  return moments(resampled).sd * std::sqrt(static_cast<double>(n) / (static_cast<double>(n) - 1));
+}
+
 Estimate bootstrap(std::size_t n, std::size_t resamples, Random& random, const Statistic& statistic) {
   Estimate e = over_all(n, statistic);
   if (n < 2) return e;
@@ -43,7 +47,7 @@ Estimate bootstrap(std::size_t n, std::size_t resamples, Random& random, const S
     const double value = statistic(drawn);
     if (!std::isnan(value)) values.push_back(value);
   }
-  if (2 * values.size() >= resamples) e.error = moments(values).sd;
+  if (2 * values.size() >= resamples) e.error = bootstrap_error(n, values);
   return e;
 }
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numeric>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/stats/curves.hpp"
-#include "jamscape/stats/moments.hpp"
 
 namespace jam {
 namespace {
@@ -46,10 +46,10 @@ class Curve {
   double peak(double lo, double hi, double shell) const {
     std::size_t at = s_.g.size(), last = at;
     for (std::size_t k = 0; k < s_.g.size(); ++k) {
-      if (r_[k] < lo || r_[k] > hi) continue;
-      if (at == s_.g.size() || s_.g[k] > s_.g[at]) {
+      if (!reaches(r_[k], lo) || exceeds(r_[k], hi)) continue;
+      if (at == s_.g.size() || exceeds(s_.g[k], s_.g[at])) {
         at = last = k;
-      } else if (k == last + 1 && s_.g[k] == s_.g[at]) {
+      } else if (k == last + 1 && reaches(s_.g[k], s_.g[at])) {
         last = k;
       }
     }
@@ -63,7 +63,7 @@ class Curve {
   bool stands_out(std::size_t at, double lo, double hi) const {
     std::size_t low = at;
     for (std::size_t k = 0; k < s_.g.size(); ++k)
-      if (r_[k] >= lo && r_[k] <= hi && s_.g[k] < s_.g[low]) low = k;
+      if (reaches(r_[k], lo) && !exceeds(r_[k], hi) && s_.g[k] < s_.g[low]) low = k;
     const double drop = s_.g[at] - s_.g[low];
     return drop > kLeastProminence && drop > kErrorsToStandOut * std::hypot(s_.error[at], s_.error[low]);
   }
@@ -111,7 +111,7 @@ std::array<Estimate, 3> shell_peaks(std::span<const double> distance, std::span<
       if (!std::isnan(at[p])) found[p].push_back(at[p]);
   }
   for (std::size_t p = 0; p < 3; ++p)
-    if (!std::isnan(all[p]) && 2 * found[p].size() >= resamples) result[p].error = moments(found[p]).sd;
+    if (!std::isnan(all[p]) && 2 * found[p].size() >= resamples) result[p].error = bootstrap_error(n, found[p]);
   return result;
 }
 

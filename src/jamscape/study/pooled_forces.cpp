@@ -64,7 +64,9 @@ void add_forces(const Histograms& h, std::vector<Transition>& found) {
   const double none = std::nan("");
   add("tail_k_pooled", pooled.exponent.error, [](const ForceTail& t) { return t.exponent.value; });
   add("tail_k_loglinear_pooled", pooled.loglinear.error, [](const ForceTail& t) { return t.loglinear.value; });
+  const double width = h.centre.size() > 1 ? h.centre[1] - h.centre[0] : none;
   add("peak_position_pooled", none, [](const ForceTail& t) { return t.peak.position; });
+  found.back().se = std::hypot(found.back().se, width / std::sqrt(12.0));
   found.push_back({"peak_prominence_pooled", n, pooled.peak.prominence, pooled.peak.error});
   found.push_back({"type_a_pooled", n, pooled.type_a() ? 1.0 : 0.0, none});
   found.push_back({"bend_pooled", n, pooled.bend.value, pooled.bend.error});
@@ -72,7 +74,6 @@ void add_forces(const Histograms& h, std::vector<Transition>& found) {
   add("mueth_b_pooled", none, [](const ForceTail& t) { return t.mueth.b; });
   add("mueth_beta_pooled", none, [](const ForceTail& t) { return t.mueth.beta; });
   const std::vector<double> norm = sum_of_curves(h.under, all);
-  const double width = h.centre.size() > 1 ? h.centre[1] - h.centre[0] : none;
   found.push_back({"force_contacts_pooled", n, norm.empty() ? none : std::round(norm.front() / width), none});
 }
 

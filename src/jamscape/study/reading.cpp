@@ -6,10 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/stats/resampling.hpp"
 #include "jamscape/study/averaging.hpp"
 #include "jamscape/study/identity.hpp"
+#include "jamscape/study/transition_kinds.hpp"
 
 namespace jam {
 namespace {
@@ -34,11 +36,13 @@ Reduced reduce(const Side& side, const std::vector<double>& x, const std::vector
   std::vector<double> at, values;
   for (std::size_t k = 0; k < y.size(); ++k) {
     const bool inside =
-        x.empty() || side.over.size() != 2 || (x[k] >= side.over[0] - 1e-9 && x[k] <= side.over[1] + 1e-9);
+        x.empty() || side.over.size() != 2 || (reaches(x[k], side.over[0]) && !exceeds(x[k], side.over[1]));
     if (inside && std::isfinite(y[k])) at.push_back(x.empty() ? 0 : x[k]), values.push_back(y[k]);
   }
   if (values.empty()) return {};
-  const auto largest = std::max_element(values.begin(), values.end());
+  auto largest = values.begin();  // of equal ones the first, whatever their last digits
+  for (auto v = values.begin(); v != values.end(); ++v)
+    if (exceeds(*v, *largest)) largest = v;
   const double where = at[static_cast<std::size_t>(largest - values.begin())];
   switch (side.reduce) {
     case Reduce::max:
@@ -69,7 +73,8 @@ Reading Reader::read(const Side& side, std::size_t system) {
   if (side.quantity.empty()) return {{std::numeric_limits<std::size_t>::max(), side.value, 0, 0}, {}};
   if (done_[system].empty()) return missing("no runs");
   for (const Transition& t : transitions(system))
-    if (t.quantity == side.quantity) return {{t.n, t.value, none, t.se}, std::isfinite(t.value) ? "" : "not reached"};
+    if (t.quantity == side.quantity)
+      return {{t.n, t.value, none, t.se}, std::isfinite(t.value) ? "" : std::string(why_missing(t.quantity))};
   return side.quantity.find('.') == std::string::npos ? read_column(side, system) : read_rows(side, system);
 }
 
@@ -178,9 +183,10 @@ double Reader::take(const Side& side, std::size_t system, const Run& run) {
       if (s.packing_fraction >= lo && s.packing_fraction <= hi)
         if (const Reduced r = reduce(side, s.x, s.y); std::isfinite(r.value)) states.push_back(r);
     if (states.empty()) return none;
-    const auto [least, most] = std::minmax_element(
-        states.begin(), states.end(), [](const Reduced& a, const Reduced& b) { return a.value < b.value; });
-    const Reduced& chosen = at.kind == StateName::Kind::min ? *least : *most;
+    const bool least = at.kind == StateName::Kind::min;
+    Reduced chosen = states.front();
+    for (const Reduced& s : states)
+      if (least ? exceeds(chosen.value, s.value) : exceeds(s.value, chosen.value)) chosen = s;
     value = side.reduce == Reduce::argmax ? chosen.at : chosen.value;
     if (at.kind == StateName::Kind::mean) {
       value = 0;

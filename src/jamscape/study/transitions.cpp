@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "jamscape/base/border.hpp"
 #include "jamscape/base/files.hpp"
 #include "jamscape/stats/crossing.hpp"
 #include "jamscape/stats/curves.hpp"
@@ -22,6 +23,7 @@ using Curves = std::vector<std::vector<double>>;
 
 constexpr double jammed_z = 3;      // S1's criterion
 constexpr double fit_range = 0.05;  // how far from rho_c the fit of the inflection looks
+constexpr double onset_range = 100;  // pressures, in those of the onset, that its line looks at
 constexpr std::size_t resamples = 200;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -94,20 +96,40 @@ void add_jamming(const std::string& rho_name, const std::string& z_name, const s
   found.push_back({z_name + "_above", m.n, m.mean, m.se});
 }
 
+/// Where the mean pressure, to the power that makes it a line above jamming, comes from 0.
+Transition pressure_from_zero(const std::vector<double>& x, const Curves& pressure, const Jamming& at) {
+  const Estimate e = jackknife(pressure.size(), [&](std::span<const std::size_t> runs) {
+    const std::vector<double> p = mean_curve(pressure, runs);
+    std::size_t first = p.size();  // the states after the last one below the onset
+    while (first > 0 && reaches(p[first - 1], at.pressure)) --first;
+    std::vector<double> rho, root;
+    for (std::size_t k = first; k < p.size() && !exceeds(p[k], onset_range * at.pressure); ++k)
+      rho.push_back(x[k]), root.push_back(std::pow(p[k], 1 / at.pressure_exponent));
+    if (rho.size() < 3) return none;
+    const Moments mean_rho = moments(rho), mean_root = moments(root);
+    double xx = 0, xy = 0;
+    for (std::size_t k = 0; k < rho.size(); ++k)
+      xx += (rho[k] - mean_rho.mean) * (rho[k] - mean_rho.mean), xy += (rho[k] - mean_rho.mean) * root[k];
+    return xy > 0 ? mean_rho.mean - mean_root.mean * xx / xy : none;
+  });
+  return from_estimate("rho_pressure_zero", e);
+}
+
 Transition percolation(const std::vector<double>& x, const Curves& percolates) {
-  std::vector<double> onsets;
+  std::vector<double> onsets, gaps;
   for (const std::vector<double>& run : percolates) {
     std::size_t first = run.size();
     while (first > 0 && run[first - 1] > 0) --first;
-    if (first < run.size()) onsets.push_back(x[first]);
+    if (first < run.size()) onsets.push_back(x[first]), gaps.push_back(first > 0 ? x[first] - x[first - 1] : 0);
   }
   const Moments m = moments(onsets);
-  return {"rho_p", m.n, m.mean, m.se};
+  return {"rho_p", m.n, m.mean, std::hypot(m.se, moments(gaps).mean / std::sqrt(12.0))};
 }
 
 }  // namespace
 
-std::vector<Transition> find_jamming(const FrameSeries& series, std::uint64_t seed, const std::string& key) {
+std::vector<Transition> find_jamming(const FrameSeries& series, const Jamming& at, std::uint64_t seed,
+                                     const std::string& key) {
   const Curves* z = series.find("z");
   if (!z || series.realisations == 0 || series.target.empty()) return {};
   const std::vector<std::size_t> states = series.states(), rising = increasing(pick(series.target, states));
@@ -124,6 +146,14 @@ std::vector<Transition> find_jamming(const FrameSeries& series, std::uint64_t se
   if (const Curves* fraction = series.find("packing_fraction_plain")) found.push_back(plain(zs, pick(*fraction, kept)));
   found.push_back(inflection(x, zs, rho_c, seed, key));
   found.push_back(single(x, zs));
+  found.push_back(from_estimate("rho_z", crossing_of_mean(x, zs, at.z)));
+  if (const Curves* multi = series.find("z_multi"))
+    found.push_back(from_estimate("rho_z_multi", crossing_of_mean(x, pick(*multi, kept), at.z)));
+  if (const Curves* pressure = series.find("pressure")) {
+    const Curves p = pick(*pressure, kept);
+    found.push_back(from_estimate("rho_pressure", crossing_of_mean(x, p, at.pressure)));
+    found.push_back(pressure_from_zero(x, p, at));
+  }
   if (std::none_of(series.relaxed.begin(), series.relaxed.end(), [](bool r) { return r; })) return found;
   add_jamming("rho_j", "z", x, zs, seed, key, found);
   if (const Curves* backbone = series.find("z_backbone"))
@@ -139,7 +169,9 @@ std::vector<Transition> find_transitions(const Study& study, std::size_t system,
   const auto seed = static_cast<std::uint64_t>(study.info.seed);
   const std::string key = physics_key(options);
   std::vector<Transition> found;
-  if (!is_container(options.domain.walls)) found = find_jamming(series, seed, key);
+  const Jamming at{study.measure.jamming_z, study.measure.jamming_pressure,
+                   hertzian(options.contact.law) ? 1.5 : 1.0};
+  if (!is_container(options.domain.walls)) found = find_jamming(series, at, seed, key);
   for (Transition& t : pooled_forces(done, measures, series, seed, key)) found.push_back(std::move(t));
   return found;
 }

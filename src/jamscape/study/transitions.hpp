@@ -20,8 +20,16 @@ struct Transition {
   double se = 0;     ///< NaN where it cannot be estimated
 };
 
+/// What counts as jammed beside S1's and S2's readings (options jamming_z, jamming_pressure).
+struct Jamming {
+  double z = 4;
+  double pressure = 1e-3;
+  double pressure_exponent = 1;  ///< of pressure with the distance from jamming: 1 linear contacts, 1.5 Hertz
+};
+
 /// Those of jamming. Empty where z was not measured. `seed` and `key` name the random numbers of the bootstrap.
-std::vector<Transition> find_jamming(const FrameSeries& series, std::uint64_t seed, const std::string& key);
+std::vector<Transition> find_jamming(const FrameSeries& series, const Jamming& at, std::uint64_t seed,
+                                     const std::string& key);
 
 /// All of a system, whose tasks `done` holds.
 std::vector<Transition> find_transitions(const Study& study, std::size_t system,

@@ -38,6 +38,13 @@ TEST(Crossing, ASampleOnTheLevelIsReached) {
   EXPECT_EQ(crossings(x, touch, 3).size(), 2u);
 }
 
+TEST(Crossing, ASampleOnTheLevelButForRoundingIsOnIt) {
+  const std::vector<double> x = {0, 1}, just = {2, std::nextafter(3.0, 2.0)}, over = {2, std::nextafter(3.0, 4.0)};
+  ASSERT_TRUE(last_upward_crossing(x, just, 3));
+  EXPECT_EQ(*last_upward_crossing(x, just, 3), 1);
+  EXPECT_NEAR(*last_upward_crossing(x, over, 3), 1, 1e-15);
+}
+
 TEST(Crossing, NoneIsAResult) {
   const std::vector<double> x = {0, 1}, above = {4, 5}, falling = {5, 1};
   EXPECT_FALSE(last_upward_crossing(x, above, 3));

@@ -66,6 +66,42 @@ TEST(ForceTail, OfAPooledHistogramIsThatOfOneSample) {
   EXPECT_EQ(pooled.peak.position, whole.peak.position);
 }
 
+// From one start at the literature's values some of these were not found.
+TEST(ForceLaws, AFitThatExistsIsFound) {
+  for (const MuethLaw law : {MuethLaw{3, 0.75, 1.5}, MuethLaw{0.4, -1.2, 0.6}, MuethLaw{12, 0.97, 3.5},
+                             MuethLaw{1, 0.1, 1}, MuethLaw{0.05, -30, 0.3}, MuethLaw{40, 0.99, 6}, MuethLaw{9, 1.1, 2}}) {
+    const Counts c = of_law([&](double f) { return density(law, f); }, 1);
+    const MuethLaw found = fit_mueth(c.centre, c.density);
+    EXPECT_NEAR(found.a / law.a, 1, 1e-5) << law.a << ' ' << law.b << ' ' << law.beta;
+    EXPECT_NEAR(found.b / law.b, 1, 1e-5) << law.a << ' ' << law.b << ' ' << law.beta;
+    EXPECT_NEAR(found.beta / law.beta, 1, 1e-5) << law.a << ' ' << law.b << ' ' << law.beta;
+  }
+}
+
+TEST(ForceLaws, FewContactsHaveAFitToo) {
+  for (std::uint64_t seed = 0; seed < 64; ++seed)
+    for (const std::size_t n : {40, 200, 2000}) {
+      const Counts c = counts(mueth_sample(n, seed));
+      EXPECT_TRUE(std::isfinite(fit_mueth(c.centre, c.density).beta)) << n << " contacts, seed " << seed;
+      if (n == 40) continue;  // a first bin and next to nothing beyond: any steeper k fits better
+      EXPECT_TRUE(std::isfinite(tail_exponent(c.centre, c.count, c.norm).value)) << n << " contacts, seed " << seed;
+    }
+}
+
+TEST(ForceTail, OfEqualBinsTheFirstIsThePeakWhateverTheirWidthsLastDigit) {
+  Counts c = of_law([](double) { return 0.0; }, 1);
+  for (const std::size_t bin : {4u, 7u, 9u}) c.count[bin] = 6;
+  for (const std::size_t bin : {2u, 3u}) c.count[bin] = 1;
+  for (const std::size_t bin : {0u, 1u, 5u}) c.count[bin] = 3;
+  const ForcePeak exact = force_peak(c.centre, c.count, c.norm);
+  EXPECT_NEAR(exact.position, 0.9, 1e-12);
+  for (const std::size_t narrow : {7u, 9u, 3u}) {
+    Counts other = c;
+    other.norm[narrow] = std::nextafter(c.norm[narrow], 0.0);
+    EXPECT_EQ(force_peak(other.centre, other.count, other.norm).position, exact.position) << narrow;
+  }
+}
+
 int type_a_of(std::uint64_t seed, const auto& draw, std::size_t n = 10000) {
   Random random(seed, "type", 0, "forces");
   std::vector<double> sample(n);

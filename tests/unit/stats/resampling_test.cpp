@@ -37,12 +37,13 @@ TEST(Jackknife, IsUnknownWhereTheStatisticIs) {
   EXPECT_TRUE(std::isnan(jackknife(sample.size(), needs_all).error));
 }
 
-TEST(Bootstrap, OfTheMeanIsThePopulationError) {
+TEST(Bootstrap, OfTheMeanIsTheStandardErrorAtAnyNumber) {
   Random random(1, "test", 0, "bootstrap");
   const Estimate e = bootstrap(sample.size(), 20000, random, mean_of);
-  const double exact = moments(sample).sd * std::sqrt(5.0 / 6.0) / std::sqrt(6.0);
   EXPECT_DOUBLE_EQ(e.value, 4.5);
-  EXPECT_NEAR(e.error, exact, 0.02 * exact);
+  EXPECT_NEAR(e.error, moments(sample).se, 0.02 * moments(sample).se);
+  const double two = moments(std::span(sample).first(2)).se;
+  EXPECT_NEAR(bootstrap(2, 20000, random, mean_of).error, two, 0.02 * two);
 }
 
 TEST(Bootstrap, RepeatsItself) {

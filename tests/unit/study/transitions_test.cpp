@@ -36,7 +36,7 @@ const Transition& get(const std::vector<Transition>& all, std::string_view name)
 }
 
 TEST(Transitions, FindTheJumpByEveryReading) {
-  const std::vector<Transition> t = find_jamming(jumping(), 1, "key");
+  const std::vector<Transition> t = find_jamming(jumping(), {}, 1, "key");
   EXPECT_EQ(get(t, "rho_c").n, 3u);
   EXPECT_NEAR(get(t, "rho_c").value, 0.81, 1e-4) << "the mean of three jumps crosses 3 in the middle one";
   EXPECT_NEAR(get(t, "rho_c_single").value, 0.81, 1e-4);
@@ -47,7 +47,7 @@ TEST(Transitions, FindTheJumpByEveryReading) {
 }
 
 TEST(Transitions, AreTheSameEveryTime) {
-  const std::vector<Transition> a = find_jamming(jumping(), 1, "key"), b = find_jamming(jumping(), 1, "key");
+  const std::vector<Transition> a = find_jamming(jumping(), {}, 1, "key"), b = find_jamming(jumping(), {}, 1, "key");
   for (std::size_t k = 0; k < a.size(); ++k) {
     EXPECT_EQ(a[k].value, b[k].value) << a[k].quantity;
     EXPECT_EQ(a[k].se, b[k].se) << a[k].quantity;
@@ -59,16 +59,16 @@ TEST(Transitions, AFrameGivenTwiceDoesNoHarm) {
   s.target.insert(s.target.begin() + 50, s.target[50]);
   for (auto& quantity : s.value)
     for (auto& run : quantity) run.insert(run.begin() + 50, run[50]);
-  EXPECT_EQ(get(find_jamming(s, 1, "key"), "rho_c").value, get(find_jamming(jumping(), 1, "key"), "rho_c").value);
+  EXPECT_EQ(get(find_jamming(s, {}, 1, "key"), "rho_c").value, get(find_jamming(jumping(), {}, 1, "key"), "rho_c").value);
 }
 
 TEST(Transitions, NoneBelowJammingAndWithoutZ) {
   FrameSeries s = jumping();
   for (auto& run : s.value[1])
     for (double& z : run) z = std::min(z, 2.0);
-  EXPECT_TRUE(std::isnan(get(find_jamming(s, 1, "key"), "rho_c").value));
+  EXPECT_TRUE(std::isnan(get(find_jamming(s, {}, 1, "key"), "rho_c").value));
   s.quantity[1] = "other";
-  EXPECT_TRUE(find_jamming(s, 1, "key").empty());
+  EXPECT_TRUE(find_jamming(s, {}, 1, "key").empty());
 }
 
 /// The same runs, with a frame before every relaxation in which nothing touches, and a Z without rattlers 1 higher.
@@ -94,7 +94,7 @@ FrameSeries relaxed() {
 }
 
 TEST(Transitions, OfRelaxedStatesAreS2s) {
-  const std::vector<Transition> t = find_jamming(relaxed(), 1, "key");
+  const std::vector<Transition> t = find_jamming(relaxed(), {}, 1, "key");
   EXPECT_NEAR(get(t, "rho_c").value, 0.81, 1e-3) << "frames that are not relaxed do not count";
   EXPECT_NEAR(get(t, "rho_j").value, 0.81, 2e-3);
   EXPECT_GT(get(t, "rho_j").se, 0.001);
@@ -112,15 +112,67 @@ TEST(Transitions, OfRelaxedStatesAreS2s) {
 TEST(Transitions, ARunThatNeverPercolatesHasNoOnset) {
   FrameSeries s = relaxed();
   for (double& p : s.value[3][1]) p = 0;
-  EXPECT_EQ(get(find_jamming(s, 1, "key"), "rho_p").n, 2u);
+  EXPECT_EQ(get(find_jamming(s, {}, 1, "key"), "rho_p").n, 2u);
   s.value[3][0].back() = 0;
-  EXPECT_EQ(get(find_jamming(s, 1, "key"), "rho_p").n, 1u) << "it must last to the end";
+  EXPECT_EQ(get(find_jamming(s, {}, 1, "key"), "rho_p").n, 1u) << "it must last to the end";
+}
+
+/// Runs that jam at .80, .81, .82: z rises by a line to 6 at .05 above, pressure like (rho - rho_J)^power.
+FrameSeries pressing(double power) {
+  FrameSeries s;
+  s.quantity = {"z", "pressure"};
+  s.value.resize(2);
+  s.realisations = 3;
+  for (int k = 0; k <= 100; ++k) s.target.push_back(0.7 + 0.002 * k);
+  for (const double jam : {0.80, 0.81, 0.82}) {
+    std::vector<double> z, p;
+    for (const double x : s.target) {
+      z.push_back(x < jam ? 0 : 3 + 60 * (x - jam));
+      p.push_back(x < jam ? 1e-7 : 1e-5 + 2 * std::pow(x - jam, power));
+    }
+    s.value[0].push_back(z), s.value[1].push_back(p);
+  }
+  return s;
+}
+
+TEST(Transitions, AtAChosenContactNumberAndByTheOnsetOfPressure) {
+  FrameSeries one = pressing(1);
+  one.realisations = 1;
+  for (auto& quantity : one.value) quantity.resize(1);
+  const std::vector<Transition> t = find_jamming(one, {4.5, 1e-3, 1}, 1, "key");
+  EXPECT_NEAR(get(t, "rho_z").value, 0.80 + 1.5 / 60, 1e-9);
+  EXPECT_NEAR(get(t, "rho_pressure").value, 0.8005, 1e-5) << "2 (rho - .8) = .001, but for the 1e-5 added";
+  EXPECT_NEAR(get(t, "rho_pressure_zero").value, 0.8, 1e-5);
+  EXPECT_TRUE(std::isnan(get(t, "rho_pressure").se)) << "one run has no error";
+  const std::vector<Transition> three = find_jamming(pressing(1), {4.5, 1e-3, 1}, 1, "key");
+  EXPECT_EQ(get(three, "rho_pressure").n, 3u);
+  EXPECT_GT(get(three, "rho_pressure").se, 0.004);
+  FrameSeries hertz = pressing(1.5);
+  hertz.realisations = 1;
+  for (auto& quantity : hertz.value) quantity.resize(1);
+  EXPECT_NEAR(get(find_jamming(hertz, {4, 1e-4, 1.5}, 1, "key"), "rho_pressure_zero").value, 0.8, 3e-4);
+  EXPECT_TRUE(std::isnan(get(find_jamming(one, {9, 1e3, 1}, 1, "key"), "rho_z").value));
+  EXPECT_TRUE(std::isnan(get(find_jamming(one, {9, 1e3, 1}, 1, "key"), "rho_pressure").value));
+}
+
+TEST(Transitions, TheOnsetOfPercolationIsNoSharperThanTheStates) {
+  FrameSeries s = relaxed();
+  for (auto& run : s.value[3]) run = s.value[3][0];  // all percolate from the same state on, .01 after the one before
+  EXPECT_NEAR(get(find_jamming(s, {}, 1, "key"), "rho_p").se, 0.01 / std::sqrt(12.0), 1e-9);
+}
+
+TEST(Transitions, AFitThatFailedIsNotCalledNotReached) {
+  EXPECT_EQ(why_missing("rho_c"), "not reached");
+  EXPECT_EQ(why_missing("rho_pressure"), "not reached");
+  for (const char* fitted : {"rho_j", "rho_inflection", "z_at_rho_j", "tail_k_pooled", "mueth_beta_pooled"})
+    EXPECT_EQ(why_missing(fitted).substr(0, 6), "no fit") << fitted;
+  for (const TransitionKind& kind : transition_kinds()) EXPECT_FALSE(kind.missing.empty()) << kind.name;
 }
 
 // Whatever is found has a sentence that `jamscape explain` can give.
 TEST(Transitions, AreAllExplained) {
   const auto kinds = transition_kinds();
-  for (const Transition& t : find_jamming(jumping(), 1, "key")) {
+  for (const Transition& t : find_jamming(jumping(), {}, 1, "key")) {
     const auto named = [&](const TransitionKind& k) { return k.name == t.quantity && !k.text.empty(); };
     EXPECT_EQ(std::count_if(kinds.begin(), kinds.end(), named), 1) << t.quantity;
   }
