@@ -64,7 +64,8 @@ ExitCode explain(const std::string& key) {
     known.emplace_back(t.name);
     if (t.name != key) continue;
     if (found) fmt::print("\n");
-    fmt::print("{}\n  {}\n  stands in ensemble/transitions.csv\n  source   {}\n", t.name, t.text, t.source);
+    fmt::print("{}\n  {}\n  without a value: {}\n  stands in ensemble/transitions.csv\n  source   {}\n", t.name, t.text,
+               t.missing, t.source);
     found = true;
   }
   if (found) return ExitCode::done;

@@ -44,9 +44,7 @@ constexpr TransitionKind kinds[] = {
      "first state from which on a realisation percolates, mean over the realisations; error: theirs and, in "
      "quadrature, what the distance h of the states there leaves open, h/sqrt(12)",
      "S2 Sec. 4", not_reached, true},
-    // of the histograms of all realisations added up, at the last state; errors by jackknife (peaks of G: bootstrap),
-    // with
-    // one realisation those of the fit or of the bootstrap over its grains
+    // of the histograms of all realisations added up, at the last state
     {"tail_k_pooled",
      "exponent k of P(f) ~ exp(-k f) for f > 1, least squares with a free prefactor; error by jackknife over the "
      "realisations, of a single one by the counts",

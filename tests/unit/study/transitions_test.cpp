@@ -151,8 +151,8 @@ TEST(Transitions, AtAChosenContactNumberAndByTheOnsetOfPressure) {
   hertz.realisations = 1;
   for (auto& quantity : hertz.value) quantity.resize(1);
   EXPECT_NEAR(get(find_jamming(hertz, {4, 1e-4, 1.5}, 1, "key"), "rho_pressure_zero").value, 0.8, 3e-4);
-  EXPECT_TRUE(std::isnan(get(find_jamming(one, {9, 1e3, 1}, 1, "key"), "rho_z").value));
-  EXPECT_TRUE(std::isnan(get(find_jamming(one, {9, 1e3, 1}, 1, "key"), "rho_pressure").value));
+  EXPECT_TRUE(std::isnan(get(find_jamming(one, {20, 1e3, 1}, 1, "key"), "rho_z").value));
+  EXPECT_TRUE(std::isnan(get(find_jamming(one, {20, 1e3, 1}, 1, "key"), "rho_pressure").value));
 }
 
 TEST(Transitions, TheOnsetOfPercolationIsNoSharperThanTheStates) {
