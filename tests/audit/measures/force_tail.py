@@ -11,18 +11,21 @@ COLUMNS = [*(f"tail_k{kind}{error}" for kind in ("", "_loglinear", "_mle") for e
            "type_a", "bend", "bend_error"]
 
 
-def tail(centre, density):
-    """k of A exp(-k f), with its error from the residuals."""
-    use = centre > 1
-    x, y = centre[use], density[use]
-    (_, k), cost, inverse = fit.best_of(fit.exponential, x, y, [(1, 1), (3, 1.5), (10, 2.5)])
-    return k, np.sqrt(cost / (use.sum() - 2) * inverse[1, 1])
+def tail(centre, count, norm):
+    """k of A exp(-k f), with the error that counting leaves it: P varies by count/norm^2, bin by bin."""
+    use = exceeds(centre, 1)
+    x, y = centre[use], count[use] / norm
+    p, _, inverse = fit.best_of(fit.exponential, x, y, [(1, 1), (3, 1.5), (10, 2.5)])
+    through = fit.exponential(x, p)[1] @ inverse[:, 1]
+    return p[1], np.sqrt((through**2 * count[use]).sum()) / norm
 
 
-def tail_loglinear(centre, density):
-    use = (centre > 1) & (density > 0)
-    p, inverse, cost = fit.polynomial(centre[use], np.log(density[use]), 1)
-    return -p[1], np.sqrt(cost / (use.sum() - 2) * inverse[1, 1])
+def tail_loglinear(centre, count, norm):
+    """k of a line through ln P, which varies by 1/count."""
+    use = exceeds(centre, 1) & (count > 0)
+    p, inverse, _ = fit.polynomial(centre[use], np.log(count[use] / norm), 1)
+    through = np.vander(centre[use], 2, increasing=True) @ inverse[:, 1]
+    return -p[1], np.sqrt((through**2 / count[use]).sum())
 
 
 def peak(centre, count, norm):
@@ -54,8 +57,8 @@ def force_tail(packing, options):
         return nothing(f)
     above = f[exceeds(f, 1)]
     excess = (above - 1).sum()
-    k, k_error = tail(centre, density)
-    line, line_error = tail_loglinear(centre, density)
+    k, k_error = tail(centre, count, norm)
+    line, line_error = tail_loglinear(centre, count, norm)
     starts = [(a, b, beta) for a in (1, 3) for b in (-1, 0.5, 0.9) for beta in (0.5, 1.5, 3)]
     mueth_fit, cost, inverse = fit.best_of(fit.mueth, centre, density, starts)
     errors = np.sqrt(cost / (len(centre) - 3) * np.diag(inverse))
