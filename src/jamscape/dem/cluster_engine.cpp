@@ -1,9 +1,13 @@
 #include "jamscape/dem/cluster_engine.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <numbers>
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/dem/cluster_contact.hpp"
@@ -175,7 +179,8 @@ void ClusterEngine::touch_walls() {
     ends_.held[q] = 1;
     const WallTouch t = touch_wall(wall, arm, ends_.end[q]);
     const std::size_t k = bodies_.arm_body[ends_.arm[q]];
-    if (t.overlap > 2 * arm[3]) fail(k, "has an arm beyond wall " + std::to_string(ends_.wall[q]));
+    if (t.overlap > 2 * arm[3])
+      fail(k, fmt::format("has an arm outside its box, {:.3g} beyond wall {}", t.overlap - arm[3], ends_.wall[q]));
     const double* row = bodies_.row(k);
     const Vec3 lever = t.point - vec3(row);
     Vec3 v = vec3(row + R::velocity) + cross(vec3(row + R::spin), lever);
@@ -247,10 +252,21 @@ void ClusterEngine::fail_deep() const {
 }
 
 void ClusterEngine::fail(std::size_t body, const std::string& problem) const {
+  constexpr double steps_needed = 12;  // time steps a contact lasts
+  double lightest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < bodies_.count(); ++k) lightest = std::min(lightest, bodies_.row(k)[R::mass]);
+  const double lasts = std::numbers::pi * std::sqrt(lightest / 2 / std::max(grain_law_.k_n, wall_law_.k_n));
+  const std::string cause =
+      lasts < steps_needed * dt_
+          ? fmt::format(
+                "the time step {:.3g} is too long for the stiffness: a contact of the lightest bodies lasts "
+                "{:.2g}; {:.2g} would do",
+                dt_, lasts, lasts / 40)
+          : "bodies or the lid hit too hard for the stiffness";
   const double* x = bodies_.row(body);
   throw Diverged("step " + std::to_string(step_) + ": body " + std::to_string(bodies_.id[body]) + " at (" +
                  std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + ") " + problem +
-                 "; likely the time step is too long for the stiffness, or bodies hit too hard");
+                 "; likely " + cause);
 }
 
 }  // namespace jam
