@@ -70,6 +70,14 @@ class Packings(Case):
         if not table(empty.stdout):
             self.assertIn("no rows of 'stress_distribution'", empty.stderr)
 
+    def test_equal_forces_have_no_tail(self):
+        grains = "# lo: -1 -1 0\n# hi: 20 1 0\nid,x,y,radius\n" + "".join(f"{k},{0.99 * k!r},0,0.5\n" for k in range(18))
+        for contacts, force in ((10, "0.1"), (5, "0.1"), (3, "0.7"), (17, "1e-3"), (7, "0.30000000000000004")):
+            rows = "".join(f"{k},{k + 1},{force}\n" for k in range(contacts))
+            row = table(self.measure(grains, "id1,id2,fn\n" + rows, "-m", "force_tail", "--set",
+                                     "measure.rows_every=0").stdout)[0]
+            self.assertEqual((row["tail_contacts"], row["tail_excess"], row["tail_k_mle"]), ("0", "0", "nan"), force)
+
     def test_text_of_others_does_not_steer_the_terminal(self):
         result = self.measure(THREE.replace("id,x", "# \x1b[2Jcode: 1\nid,x"), "id1,id2,fn\n1,2,1\n1,\x1b[31m,2\n", code=3)
         self.assertNotIn("\x1b", result.stdout + result.stderr)
