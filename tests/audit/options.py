@@ -21,6 +21,8 @@ class Options:
     level_step: float = 0.05
     tetrahedra: str = "filled"
     rough_includes_edge: bool = False
+    force_margin: float = 0.0
+    gravity: float = 0.0
     contact_force_max: float = 10.0
     contact_force_bins: int = 50
     rdf_bin: float = 0.02

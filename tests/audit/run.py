@@ -37,7 +37,7 @@ def audit(case, measure, skipped, differences):
     """Compares every column of a measure on one packing; the number of columns compared."""
     table = case.source.measured(measure, spelled(case.settings))
     _, columns = program.describe(measure)
-    ours = AUDITS[measure](case.packing, with_settings(case.settings))
+    ours = AUDITS[measure](case.packing, with_settings({**case.settings, **case.known}))
     table = {name: table[name] for name in columns}
     if measure == "diagram":
         table = sorted_points(table)

@@ -21,8 +21,8 @@ export interface Study {
   revision: string;
   seed: string;
   swept: string[];
-  /** what is the weight of an edge, and the largest kept (0: all) */
-  measure: { force: "normal" | "total"; clamp: number };
+  /** what is the weight of an edge, the largest kept (0: all), whether a lifetime of exactly 0.1 is rough */
+  measure: { force: "normal" | "total"; clamp: number; rough_includes_edge?: boolean };
   systems: System[];
 }
 
@@ -137,13 +137,16 @@ export interface Networks {
   systems: NetworkFrame[][];
 }
 
+/** Regions of S1's diagrams. */
+export type Bin = "rough" | "weak" | "medium" | "strong";
+
 export interface DiagramFrame {
   rho: number;
   own?: boolean;
   stage?: string;
   realisation: number;
-  /** per dimension: uint16 birth, death per pair over value_max; one byte per pair: 1 = never dies */
-  dimensions: { pairs: number; values: string; essential: string }[];
+  /** per dimension: uint16 birth, death per pair over value_max; one byte per pair: 1 = never dies; points per bin */
+  dimensions: { pairs: number; values: string; essential: string; bins: Record<Bin, number> }[];
   value_max: number;
 }
 

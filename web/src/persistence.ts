@@ -1,6 +1,6 @@
 // Draws a persistence diagram: birth to the right, death upwards, so that all points lie under the diagonal; the longer
 // a feature lives, the farther it is from it. Features that never die have a strip of their own below the axis.
-import type { DiagramFrame } from "./data";
+import type { Bin, DiagramFrame } from "./data";
 import { bytes, words } from "./packed";
 import { pixelRatio } from "./pixel_ratio";
 import { FONT, heat, INK, MUTED } from "./theme";
@@ -10,15 +10,6 @@ const ROUGH = 0.1;
 const WEAK = 0.1;
 const MEDIUM = 1;
 const STRONG = 2.5;
-
-export type Bin = "rough" | "weak" | "medium" | "strong";
-
-export function binOf(birth: number, death: number): Bin | null {
-  if (birth - death < ROUGH) return "rough";
-  if (birth >= STRONG) return "strong";
-  if (birth >= MEDIUM) return "medium";
-  return birth >= WEAK ? "weak" : null;
-}
 
 const BINS: { bin: Bin; from: number; to: number; fill: string }[] = [
   { bin: "weak", from: WEAK, to: MEDIUM, fill: "#f4f7fa" },
@@ -99,11 +90,7 @@ export function drawDiagram(
 
   ctx.fillStyle = "#fff";
   ctx.fillRect(0, 0, size, size);
-  const counts: Record<Bin, number> = { rough: 0, weak: 0, medium: 0, strong: 0 };
-  for (let k = 0; k < points.birth.length; ++k) {
-    const bin = binOf(points.birth[k], points.death[k]);
-    if (bin) counts[bin] += 1;
-  }
+  const counts = frame.dimensions[dimension].bins; // counted by the program: values here are rounded for drawing
   for (const { from, to, fill } of BINS) {
     const right = Math.min(to, top);
     ctx.fillStyle = fill;

@@ -33,10 +33,14 @@ std::unique_ptr<LaneOrders[]> BondBlocks::orders() const {
   std::vector<LaneBonds> sorted(runs_.size());
   for (std::size_t n = 0; n < runs_.size(); ++n) {
     const Run& run = runs_[n];
-    if (n < 2)
+    if (n == 0)
       std::fill_n(&orders[run.first], run.blocks, LaneOrders{});
     else
       order_blocks(n, run.blocks, &directions_[run.begin], sorted.data(), &orders[run.first]);
+    for (std::size_t b = 0; n == 1 && b < run.blocks; ++b) {  // no gap between bonds
+      std::fill_n(orders[run.first + b].printed, bond_lanes, 0.0);
+      std::fill_n(orders[run.first + b].closed, bond_lanes, 0.0);
+    }
   }
   return orders;
 }

@@ -23,7 +23,7 @@ class BondBlocks {
     to.y[lane(grain)] = y;
   }
 
-  /// Of all blocks, zero where grains have fewer than two bonds. Every bond must be there.
+  /// Of all blocks: `printed` and `closed` are 0 with fewer than two bonds, all without any. Every bond must be there.
   std::unique_ptr<LaneOrders[]> orders() const;
   /// Where a grain is found in orders().
   std::size_t block(std::size_t grain) const { return slot_[grain] / bond_lanes; }

@@ -51,23 +51,28 @@ BondOrder bond_order(const Packing& packing, const Bonds& pairs) {
 }
 
 Measure bond_order_measure() {
-  return frame_measure({"bond_order", "six-fold bond orientation",
-                        "psi6 = <(1/N) sum_j (N_b - 1)^-1 sum_k cos 6 theta_k>, theta_k the gaps between consecutive "
-                        "contacts of a grain "
-                        "sorted in [-pi, pi). As printed it has no phases that cancel: 1 for a hexagonal lattice, but "
-                        "-1 for a square one "
-                        "and +1 for a straight chain. psi6_local and psi6_global are the usual order parameters. A "
-                        "grain with one bond or "
-                        "none contributes 0; all are 0 in three dimensions.",
-                        "S1 Sec. III.B, Fig. 8; theory sec. 4"},
-                       {{"psi6", "", "formula of S1: N_b - 1 gaps, the one across the negative x axis left out"},
-                        {"psi6_closed", "", "the same with all N_b gaps"},
-                        {"psi6_local", "", "mean over grains of |<exp(6 i theta)> over its bonds|"},
-                        {"psi6_global", "", "|mean over grains of <exp(6 i theta)> over its bonds|"}},
-                       [](const Snapshot& s) {
-                         const BondOrder b = bond_order(s.packing(), s.bonds());
-                         return std::vector<double>{b.printed, b.closed, b.local, b.global};
-                       });
+  return frame_measure(
+      {"bond_order", "six-fold bond orientation",
+       "psi6 = <(1/N) sum_j (N_b - 1)^-1 sum_k cos 6 theta_k>, theta_k the gaps between consecutive "
+       "contacts of a grain "
+       "sorted by their angle in [-pi, pi), the gap from the last to the first left out. As printed it has no phases "
+       "that cancel: 1 for a hexagonal lattice, but "
+       "-1 for a square one "
+       "and +1 for a straight chain. psi6_closed has cos 6 theta of all N_b gaps, divided by N_b. A grain "
+       "with one bond or none contributes 0 to both. psi6_local = (1/N) sum_j |q_j| and psi6_global "
+       "= |(1/N) sum_j q_j|, q_j = (1/N_b) sum over bonds of exp(6 i theta), theta the angle of the "
+       "bond itself, are the usual order parameters: one bond gives |q_j| = 1, none q_j = 0. Bonds "
+       "are the touching pairs of the measure contacts, along the contact's normal (of clusters from "
+       "centre to centre); N all grains. All are 0 in three dimensions.",
+       "S1 Sec. III.B, Fig. 8; theory sec. 4"},
+      {{"psi6", "", "formula of S1: N_b - 1 gaps, the one across the negative x axis left out"},
+       {"psi6_closed", "", "the same with all N_b gaps"},
+       {"psi6_local", "", "mean over grains of |<exp(6 i theta)> over its bonds|"},
+       {"psi6_global", "", "|mean over grains of <exp(6 i theta)> over its bonds|"}},
+      [](const Snapshot& s) {
+        const BondOrder b = bond_order(s.packing(), s.bonds());
+        return std::vector<double>{b.printed, b.closed, b.local, b.global};
+      });
 }
 
 }  // namespace jam

@@ -6,7 +6,8 @@
 //   psi6_local   mean over all grains of |(1/N_b) sum_b exp(6 i theta_b)|
 //   psi6_global  |mean over all grains of (1/N_b) sum_b exp(6 i theta_b)|
 //
-// A grain with one bond or none contributes 0 to all four. A hexagonal lattice gives 1. The printed formula has no
+// A grain without bonds contributes 0 to all four, one with a single bond 0 to the first two, which are means over
+// gaps, and 1 and exp(6 i theta) to the last two. A hexagonal lattice gives 1. The printed formula has no
 // phase that could cancel: a square lattice gives -1, a straight chain +1, and a disordered packing nothing like 1/N.
 // It also depends on the axis where the sorting starts. Source: S1 Sec. III.B; theory sec. 4.
 #pragma once

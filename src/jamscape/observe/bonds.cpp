@@ -54,19 +54,19 @@ Bonds find_bonds(const Packing& packing) {
   for (std::size_t c = 0; c < k.size(); ++c) {
     const std::uint32_t i = k.i[c];
     const std::int32_t j = k.j[c];
-    const bool touches = k.overlap[c] >= 0;
+    const bool there = touches(k, c);
     if (j < 0) {
-      bonds.walls[i] += touches;
-      if (touches) bonds.wall_contact.push_back(static_cast<std::uint32_t>(c));
+      bonds.walls[i] += there;
+      if (there) bonds.wall_contact.push_back(static_cast<std::uint32_t>(c));
       continue;
     }
     found &= (i == last_i) & (j == last_j);
-    const bool bond = touches & !found;
+    const bool bond = there & !found;
     bonds.contact[count] = static_cast<std::uint32_t>(c);
     count += bond;
     bonds.grains[i] += bond;
     bonds.grains[static_cast<std::size_t>(j)] += bond;
-    found |= touches;
+    found |= there;
     last_i = i;
     last_j = j;
   }
@@ -77,14 +77,14 @@ Bonds find_bonds(const Packing& packing) {
 Vec3 normal_force_of_pair(const Contacts& contacts, std::size_t c) {
   Vec3 sum{};
   for (; c < contacts.size(); c = next_of_pair(contacts, c))
-    if (contacts.overlap[c] >= 0) sum -= contacts.normal_force[c] * contacts.normal[c];
+    if (touches(contacts, c)) sum -= contacts.normal_force[c] * contacts.normal[c];
   return sum;
 }
 
 Vec3 total_force_of_pair(const Contacts& contacts, std::size_t c) {
   Vec3 sum{};
   for (; c < contacts.size(); c = next_of_pair(contacts, c))
-    if (contacts.overlap[c] >= 0) sum += contacts.tangential_force[c] - contacts.normal_force[c] * contacts.normal[c];
+    if (touches(contacts, c)) sum += contacts.tangential_force[c] - contacts.normal_force[c] * contacts.normal[c];
   return sum;
 }
 

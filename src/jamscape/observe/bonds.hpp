@@ -1,8 +1,9 @@
 // Which bodies touch: the contacts of a packing seen as pairs of bodies.
 //
-// Two grains touch where a contact between them has overlap >= 0 (S1 App. B). A pair of bodies with several contacts
-// (clusters) is one bond. Wall contacts count for the degree of a grain, each bead and each end of an arm for one, but
-// are no bonds.
+// A contact is there where its overlap is >= 0 (S1 App. B) or it carries a force: what a file lists with a force is
+// believed where rounded positions show a gap. Every measure goes by this one rule. A pair of bodies with several
+// contacts (clusters) is one bond. Wall contacts count for the degree of a grain, each bead and each end of an arm for
+// one, but are no bonds.
 #pragma once
 
 #include <cstddef>
@@ -26,6 +27,11 @@ struct Bonds {
 
 /// Throws a data error where a contact names a body that is not there, or the contacts are not sorted.
 Bonds find_bonds(const Packing& packing);
+
+/// Whether a contact of the list is there.
+inline bool touches(const Contacts& k, std::size_t c) {
+  return k.overlap[c] >= 0 || k.normal_force[c] != 0 || norm(k.tangential_force[c]) != 0;
+}
 
 /// The next contact of the pair that contact c belongs to, or the number of contacts.
 inline std::size_t next_of_pair(const Contacts& contacts, std::size_t c) {

@@ -11,8 +11,9 @@
 
 namespace jam {
 
-/// F_n of each contact between bodies with F_n > 0, in the order of the contacts.
-std::vector<double> contact_forces(const Packing& packing);
+/// F_n of each contact between bodies with F_n > 0, in the order of the contacts; those whose point is within
+/// options.force_margin of a wall left out.
+std::vector<double> contact_forces(const Packing& packing, const MeasureOptions& options = {});
 
 /// A histogram from 0 on in the bins of the options, as columns: centre, density, count, norm (values times width).
 std::vector<std::vector<double>> distribution_columns(const std::vector<double>& values, const MeasureOptions& options);

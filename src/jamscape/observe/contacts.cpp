@@ -17,7 +17,10 @@ double mean_normal_force(const Snapshot& snapshot) {
 Measure contacts_measure() {
   return frame_measure(
       {"contacts", "contacts and their mean force",
-       "edges of the force network: pairs of grains with overlap >= 0; wall contacts are no edges. mean_normal_force = "
+       "edges of the force network: pairs of grains with a contact whose overlap is >= 0 or that carries a force (the "
+       "rule "
+       "of every measure for which contacts there are); wall contacts are no edges; with remove_rattlers without the "
+       "edges of grains with fewer than two contacts (walls counted). mean_normal_force = "
        "(1/edges) sum |F_n|, the force that weights are measured in; of clusters that touch with several arms |sum F_n "
        "n| "
        "of the pair.",

@@ -25,9 +25,10 @@ Coordination coordination(const Bonds& bonds) {
 Measure coordination_measure() {
   return frame_measure(
       {"coordination", "mean contact number",
-       "z = 2 N_pp/N over all N grains, N_pp the touching pairs of grains (overlap >= 0; clusters that touch with "
-       "several "
-       "arms are one pair). Rattlers are among the N: z at jamming is lower than the isostatic number of the rigid "
+       "z = 2 N_pp/N over all N grains, N_pp the touching pairs of grains (a contact with overlap >= 0 or a force; "
+       "clusters that touch with several arms are one pair), rattlers among them. z_walls = (2 N_pp + N_pw)/N, N_pw "
+       "wall contacts. z_multi = (sum over grains with two or more contacts, walls counted, of their contacts)/(their "
+       "number). Rattlers are among the N: z at jamming is lower than the isostatic number of the rigid "
        "part.",
        "S1 Table I; theory sec. 4, 6a"},
       {{"z", "", "touching grains per grain, all grains, walls excluded"},

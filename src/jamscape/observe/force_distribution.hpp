@@ -9,7 +9,8 @@
 
 namespace jam {
 
-Histogram force_distribution(const ForceNetwork& network, const MeasureOptions& options);
+/// Edges whose (first) contact lies within options.force_margin of a wall are left out, in the mean too.
+Histogram force_distribution(const Packing& packing, const ForceNetwork& network, const MeasureOptions& options);
 
 Measure force_distribution_measure();
 

@@ -14,14 +14,12 @@ double edge_force(const Contacts& k, std::size_t c, EdgeForce which) {
   return norm(which == EdgeForce::normal ? normal_force_of_pair(k, c) : total_force_of_pair(k, c));
 }
 
-/// Only grains with an edge stay vertices, in their order.
-void leave_out_the_rest(ForceNetwork& net) {
+/// Only grains that do not rattle stay vertices, in their order.
+void leave_out_rattlers(ForceNetwork& net, const Bonds& bonds) {
   WeightedGraph& g = net.graph;
   std::vector<std::uint32_t> number(g.vertices, 0);
-  for (const auto* ends : {&g.from, &g.to})
-    for (const std::uint32_t grain : *ends) number[grain] = 1;
   for (std::uint32_t grain = 0; grain < g.vertices; ++grain) {
-    if (number[grain] == 0) continue;
+    if (bonds.rattles(grain)) continue;
     number[grain] = static_cast<std::uint32_t>(net.grain.size());
     net.grain.push_back(grain);
   }
@@ -58,7 +56,7 @@ ForceNetwork force_network(const Packing& packing, const Bonds& bonds, const Mea
   g.weight = net.force;
   divide_by_mean(g.weight, net.mean_force);
   for (double& w : g.weight) w = std::min(w, most);
-  if (options.remove_rattlers) leave_out_the_rest(net);
+  if (options.remove_rattlers) leave_out_rattlers(net, bonds);
   return net;
 }
 

@@ -5,9 +5,9 @@
 //   weight    f = |F|/<F>, at most `clamp`;   F = sum of F_n n over the contacts of the pair (S1), or of F_n n - f_t,
 //             the whole contact force (S2);   <F> = mean of |F| over the edges kept, before the clamp
 //
-// Rattlers are grains with fewer than two contacts (walls count). Where they stay (S1), the vertices are all grains,
-// those without an edge among them. With `remove_rattlers` (S2) they go with their edges first, once and not
-// recursively, and the vertices are the grains that an edge is left to: a grain is there through its edges only.
+// Rattlers are grains with fewer than two contacts (walls count). Where they stay (S1), the vertices are all grains. With
+// `remove_rattlers` (S2) they go with their edges first, once and not recursively, and are no vertices: a grain that
+// loses its edges by that stays, as one without edges.
 // Source: S1 Sec. II.C and App. B, S2 Sec. 4, theory sec. 4.
 #pragma once
 

@@ -9,7 +9,7 @@ namespace jam {
 namespace {
 
 std::vector<double> values(const Snapshot& s) {
-  const std::vector<double> forces = over_mean(contact_forces(s.packing()));
+  const std::vector<double> forces = over_mean(contact_forces(s.packing(), s.options()));
   const auto columns = distribution_columns(forces, s.options());
   const ForceTail t = force_tail(columns[0], columns[2], columns[3]);
   const Estimate likelihood = tail_exponent_likelihood(forces);

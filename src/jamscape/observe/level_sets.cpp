@@ -65,8 +65,10 @@ std::vector<double> hollow_voids(const WeightedGraph& graph, const std::vector<d
 Measure level_sets_measure() {
   Measure m = rows_measure(
       {"level_sets", "clusters, loops and percolation at each threshold",
-       "The network of forces F > F_th. b_k = classes of dimension k with death <= F_th < birth, cliques filled (b2: "
-       "option tetrahedra). A "
+       "The network of forces F > F_th, F in mean forces (above: not within 1e-12 of F_th times F_th); F_th = 0, "
+       "level_step, "
+       "... level_max. b_k = classes of dimension k with death <= F_th < birth, cliques filled (b2: "
+       "option tetrahedra; in two dimensions it is 0, also where the triangles of a periodic plane close). A "
        "cluster is a connected piece with an edge; it percolates where it joins two opposite walls (a wall contact of "
        "positive force touches) or winds around a periodic box. <S>/N = (grains in clusters that do not percolate)/(N "
        "clusters), N all grains; S_p = mean over clusters, percolating ones included, of edges/grains: (n - 1)/n for "
@@ -74,7 +76,7 @@ Measure level_sets_measure() {
        "S2 Sec. 4.2, 4.3, 5.1, 5.2; theory sec. 4"},
       {{"threshold", "<F>", "F_th"},
        {"b0", "", "pieces with an edge, percolating ones included"},
-       {"b1", "", "loops of four contacts or more"},
+       {"b1", "", "loops of four contacts or more, those around a periodic box among them"},
        {"b2", "", "voids; 0 in two dimensions where tetrahedra are filled"},
        {"clusters", "", "clusters that do not percolate"},
        {"cluster_grains", "", "grains in clusters that do not percolate"},

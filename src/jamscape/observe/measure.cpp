@@ -12,6 +12,7 @@
 #include "jamscape/observe/energy.hpp"
 #include "jamscape/observe/force_distribution.hpp"
 #include "jamscape/observe/force_tail.hpp"
+#include "jamscape/observe/kinetic_stress.hpp"
 #include "jamscape/observe/level_sets.hpp"
 #include "jamscape/observe/pair_correlation.hpp"
 #include "jamscape/observe/particle_stress.hpp"
@@ -34,6 +35,7 @@ const std::vector<Measure>& measures() {
       total_persistence_measure(),
       percolation_measure(),
       stress_measure(),
+      kinetic_stress_measure(),
       walls_measure(),
       balance_measure(),
       energy_measure(),

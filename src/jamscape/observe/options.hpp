@@ -50,6 +50,8 @@ struct MeasureOptions {
   double level_step = 0.05;
   Tetrahedra tetrahedra = Tetrahedra::filled;
   bool rough_includes_edge = false;
+  double force_margin = 0;
+  double gravity = 0;
   double contact_force_max = 10;
   std::int64_t contact_force_bins = 50;
   double jamming_z = 4;
@@ -117,6 +119,19 @@ struct MeasureOptions {
     v.option("rough_includes_edge", rough_includes_edge,
              {.text = "persistence bins: a lifetime of exactly 0.1 is rough (S2) or not (S1)",
               .source = "S1 Sec. II.C, S2 Sec. 5.3"});
+    v.option("force_margin", force_margin,
+             {.text = "force statistics (P(F), P(f), tails, forces of single contacts, stresses of grains, wall "
+                      "pressure): what is closer to a wall is left out; at most a sixth of the width",
+              .unit = "d",
+              .min = 0,
+              .max = 1000,
+              .source = "theory sec. 4"});
+    v.option("gravity", gravity,
+             {.text = "unbalanced force: acceleration down the second axis, of packings made elsewhere; frames of a "
+                      "study take domain.gravity",
+              .unit = "d/tau_c^2",
+              .min = 0,
+              .max = 1e6});
     v.option("contact_force_max", contact_force_max,
              {.text = "distributions of the contacts' forces and of the grains' stresses: end of the bins, in means",
               .min = 0,

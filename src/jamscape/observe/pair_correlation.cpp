@@ -3,31 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "jamscape/base/border.hpp"
+#include "jamscape/base/mean.hpp"
 #include "jamscape/observe/entry.hpp"
 #include "jamscape/observe/point_grid.hpp"
-#include "jamscape/observe/room.hpp"
+#include "jamscape/observe/wall_margin.hpp"
 
 namespace jam {
-namespace {
-
-double mean_diameter(const Grains& grains) {
-  const double sum = std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0);
-  return 2 * sum / static_cast<double>(grains.size());
-}
-
-Room room(const Packing& p, double margin, double diameter) {
-  Room r(p, diameter / 2);
-  for (int a = 0; a < p.dimension; ++a)
-    if (r.walled(a)) r.margin[a] = std::min(margin * diameter, r.width(a) / 6);
-  r.round_margin = std::min(margin * diameter, r.diameter() / 6);
-  return r;
-}
-
-}  // namespace
-
 PairCorrelation pair_correlation(const Packing& p, const MeasureOptions& options) {
   const auto bins = static_cast<std::size_t>(std::max(1.0, std::round(options.pair_range / options.pair_bin)));
   PairCorrelation result;
@@ -36,8 +19,8 @@ PairCorrelation pair_correlation(const Packing& p, const MeasureOptions& options
   result.references.assign(bins, 0);
   if (p.grains.size() == 0) return result;
 
-  const double diameter = mean_diameter(p.grains), width = options.pair_bin * diameter;
-  const Room around = room(p, options.pair_margin, diameter);
+  const double diameter = 2 * mean_of(p.grains.radius), width = options.pair_bin * diameter;
+  const Room around = room_with_margin(p, options.pair_margin * diameter, diameter / 2);
   const std::vector<Vec3> position = around.wrapped(p.grains.position);
   std::vector<std::uint32_t> grains_with(bins + 1, 0);  // reference grains whose first so many bins count
   std::vector<std::uint32_t> bins_of(p.grains.size(), 0);
@@ -79,10 +62,13 @@ PairCorrelation pair_correlation(const Packing& p, const MeasureOptions& options
 Measure pair_correlation_measure() {
   return rows_measure(
       {"pair_correlation", "pair correlation",
-       "g(d) = n(d)/(N_ref rho 2 pi d Delta d) (2D; 4 pi d^2 Delta d in 3D), n(d) the grains in the shell about N_ref "
-       "reference grains away from the walls, rho the density there: 1 for an ideal gas. A grain is a reference at d "
-       "only "
-       "while the whole shell is inside the box; bins without reference grains are NaN.",
+       "g(d) = n(d)/(N_ref rho s), d in mean diameters (of clusters the circumscribed spheres), s the shell d_1 <= d < "
+       "d_2: pi (d_2^2 - d_1^2) (2D), 4 pi (d_2^3 - d_1^3)/3 (3D); n(d) the grains in the shells about N_ref reference "
+       "grains, whose centres are at least a margin from every wall (pair_margin, at most a sixth of the width), rho "
+       "= (those grains)/(area or volume beyond the margins): 1 for an ideal gas. A grain is a reference at d only "
+       "while d_2 <= its distance to every wall less the radius of a bead and half a mean diameter, and d_2 <= half of "
+       "every periodic length; bins without reference grains are NaN. round(pair_range/pair_bin) bins. Walls are the "
+       "sides of the box that are not periodic (of bead walls the lines of centres) and a cylinder.",
        "S1 Sec. III.B, Fig. 7 (there in arbitrary units); theory sec. 4"},
       {{"distance", "d", "centre of the bin, in mean diameters"}, {"g", "", "pair correlation"}}, 1, true,
       [](const Snapshot& s) -> std::vector<std::vector<double>> {

@@ -6,6 +6,7 @@
 #include "jamscape/observe/bodies.hpp"
 #include "jamscape/observe/contact_forces.hpp"
 #include "jamscape/observe/entry.hpp"
+#include "jamscape/observe/wall_margin.hpp"
 
 namespace jam {
 namespace {
@@ -140,7 +141,8 @@ Measure particle_stress_measure() {
 Measure stress_distribution_measure() {
   Measure m =
       rows_measure({"stress_distribution", "distribution of the grains' stresses",
-                    "P(i), i = I_1/<I_1> over all grains (rattlers have 0), I_1 the trace of a grain's stress (measure "
+                    "P(i), i = I_1/<I_1> over all grains (rattlers have 0), without those whose centre is closer to a "
+                    "wall than force_margin, I_1 the trace of a grain's stress (measure "
                     "particle_stress); bins as for contact_force_distribution. density = count/norm, norm = grains "
                     "times width of the "
                     "bin: what lies outside the bins counts in it.",
@@ -150,7 +152,13 @@ Measure stress_distribution_measure() {
                     {"count", "", "grains in the bin"},
                     {"norm", "<I1>", "all grains times the width of the bin"}},
                    1, true, [](const Snapshot& s) {
-                     return distribution_columns(stress_ratios(particle_stresses(s.packing())), s.options());
+                     const Packing& p = s.packing();
+                     const WallMargin margin(p, s.options());
+                     const std::vector<Tensor> all = particle_stresses(p);
+                     std::vector<Tensor> kept;
+                     for (std::size_t i = 0; i < all.size(); ++i)
+                       if (margin.keeps(p.grains.position[i])) kept.push_back(all[i]);
+                     return distribution_columns(stress_ratios(kept), s.options());
                    });
   m.ratios = {{"density_pooled", "count", "norm", "P(i) of all grains of all realisations, i in means of each"}};
   return m;

@@ -35,6 +35,8 @@ Measure percolation_measure() {
   return frame_measure(
       {"percolation", "percolation of the force network",
        "Clusters of the network of forces F > 0 that join two opposite walls, or wind around a periodic box. "
+       "A wall is touched through a contact of positive normal force. N all grains; k over the vertices of the "
+       "network. "
        "percolation_estimate = <k>/(<k^2> - <k>), k the contacts of a grain in the network: the fraction of vertices "
        "that a random network needs to percolate; missing where no grain has two.",
        "S2 Sec. 4.3, Eq. 6; theory sec. 4"},
@@ -45,7 +47,7 @@ Measure percolation_measure() {
        {"percolating_fraction", "", "N_per/N, grains in percolating clusters; 0 without",
         Averaging::nonzero_or_missing},
        {"percolation_estimate", "", "fraction of grains that a random network with these contacts needs"},
-       {"mean_degree", "", "<k>, over the grains of the network: without rattlers where they are removed"}},
+       {"mean_degree", "", "2 edges/grains, those of positive force; grains without rattlers where they are removed"}},
       [](const Snapshot& s) {
         const ClusterLevel& whole = s.levels().front();
         const auto degree = degrees(s.history());

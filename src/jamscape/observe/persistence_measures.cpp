@@ -10,34 +10,39 @@
 
 namespace jam {
 
+BinOptions bin_options(const MeasureOptions& options) {
+  BinOptions bins;
+  bins.edge = options.rough_includes_edge ? RoughEdge::closed : RoughEdge::open;
+  return bins;
+}
+
 Measure persistence_bins_measure() {
-  return frame_measure({"persistence_bins", "points of the persistence diagrams by strength",
-                        "N_k^*: points (b, d) of dimension k that are rough (b - d < 0.1 in S1; <= 0.1 in S2, option "
-                        "rough_includes_edge), else strong (b >= 2.5), "
-                        "medium (1 <= b < 2.5) or "
-                        "weak (b < 1), forces in <F>. Essential classes die at 0; pairs of zero length count only as "
-                        "isolated grains, which "
-                        "are rough.",
-                        "S1 Sec. II.C, Figs. 5, 6; S2 Sec. 5.3; theory sec. 4"},
-                       {{"b0_rough", "", "components: short-lived, isolated grains among them"},
-                        {"b0_strong", "", "components born at 2.5 <F> or more"},
-                        {"b0_medium", "", "components born between <F> and 2.5 <F>"},
-                        {"b0_weak", "", "components born below <F>"},
-                        {"b1_rough", "", "loops: short-lived"},
-                        {"b1_strong", "", "loops born at 2.5 <F> or more"},
-                        {"b1_medium", "", "loops born between <F> and 2.5 <F>"},
-                        {"b1_weak", "", "loops born below <F>"}},
-                       [](const Snapshot& s) {
-                         BinOptions bins;
-                         bins.edge = s.options().rough_includes_edge ? RoughEdge::closed : RoughEdge::open;
-                         std::vector<double> row;
-                         for (const int dimension : {0, 1}) {
-                           const BinCounts b = persistence_bins(s.diagram(), dimension, bins);
-                           for (const std::size_t n : {b.rough, b.strong, b.medium, b.weak})
-                             row.push_back(static_cast<double>(n));
-                         }
-                         return row;
-                       });
+  return frame_measure(
+      {"persistence_bins", "points of the persistence diagrams by strength",
+       "N_k^*: points (b, d) of dimension k that are rough (b - d < 0.1 in S1; <= 0.1 in S2, option "
+       "rough_includes_edge), else strong (b >= 2.5), "
+       "medium (1 <= b < 2.5) or "
+       "weak (b < 1), forces in <F>. Essential classes die at 0; pairs of zero length count only as "
+       "isolated grains, (0, 0) of dimension 0, which are rough; removed rattlers (remove_rattlers) are no vertices and "
+       "have no point. What is on a border to 1e-12 of the birth is on it.",
+       "S1 Sec. II.C, Figs. 5, 6; S2 Sec. 5.3; theory sec. 4"},
+      {{"b0_rough", "", "components: short-lived, isolated grains among them"},
+       {"b0_strong", "", "components born at 2.5 <F> or more"},
+       {"b0_medium", "", "components born between <F> and 2.5 <F>"},
+       {"b0_weak", "", "components born below <F>"},
+       {"b1_rough", "", "loops: short-lived"},
+       {"b1_strong", "", "loops born at 2.5 <F> or more"},
+       {"b1_medium", "", "loops born between <F> and 2.5 <F>"},
+       {"b1_weak", "", "loops born below <F>"}},
+      [](const Snapshot& s) {
+        const BinOptions bins = bin_options(s.options());
+        std::vector<double> row;
+        for (const int dimension : {0, 1}) {
+          const BinCounts b = persistence_bins(s.diagram(), dimension, bins);
+          for (const std::size_t n : {b.rough, b.strong, b.medium, b.weak}) row.push_back(static_cast<double>(n));
+        }
+        return row;
+      });
 }
 
 Measure total_persistence_measure() {
@@ -59,12 +64,16 @@ Measure total_persistence_measure() {
 Measure betti_measure() {
   return rows_measure(
       {"betti", "Betti numbers",
-       "b_k(theta) = classes of dimension k with death < theta <= birth: components, loops and voids of the network of "
-       "forces f >= theta, cliques filled. An isolated grain has value 0 and counts at theta = 0 only.",
+       "b_k(theta) = classes of dimension k with death < theta <= birth, components, loops and voids of the network of "
+       "forces f >= theta, cliques filled; a class that never dies counts at every theta <= birth, theta = 0 among "
+       "them. "
+       "A value within 1e-12 of theta (times theta) is on it. An isolated grain has value 0 and counts at theta = 0 "
+       "only; removed rattlers (remove_rattlers) have none. theta = 0, betti_step, ... betti_max. In a periodic box loops that "
+       "wind around it count; copies of a grain are one vertex. In two dimensions b2 is not computed and 0.",
        "S1 App. B; theory sec. 4"},
       {{"threshold", "<F>", "theta"},
        {"b0", "", "components"},
-       {"b1", "", "loops of four contacts or more"},
+       {"b1", "", "loops of four contacts or more, those around a periodic box among them"},
        {"b2", "", "voids; 0 in two dimensions"}},
       1, true, [](const Snapshot& s) -> std::vector<std::vector<double>> {
         const std::vector<double> grid = threshold_grid(s.options().betti_max, s.options().betti_step);

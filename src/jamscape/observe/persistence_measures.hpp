@@ -3,8 +3,12 @@
 #pragma once
 
 #include "jamscape/observe/measure.hpp"
+#include "jamscape/topology/bins.hpp"
 
 namespace jam {
+
+/// The bins of the options: whether a lifetime on the border is rough.
+BinOptions bin_options(const MeasureOptions& options);
 
 Measure persistence_bins_measure();
 Measure total_persistence_measure();

@@ -41,13 +41,17 @@ std::vector<double> peaks(const Snapshot& s) {
 Measure radial_distribution_measure() {
   Measure m = rows_measure(
       {"radial_distribution", "radial distribution of the grains' centres",
-       "G(r) = pairs/ideal, r in L: the grains in the shell about all references, and those an ideal gas of density "
-       "N/volume has there, N_ref rho_N 2 pi r Delta r (2D), N_ref rho_N 4 pi r^2 Delta r (3D). L: length of a cluster "
-       "at size factor 1, mean diameter of discs and spheres. References are away from the walls by rdf_margin_ends, "
-       "rdf_margin_sides, rdf_margin_cylinder, or by a sixth of a width of which those would leave less than a quarter "
-       "(columns of rdf_peaks say what was used), and count at r only while their shell stays inside; between the "
-       "sides of "
-       "a thin slab the ideal gas has the part of the shell that is inside. S3 prints 4 r^2 Delta r and N in place of N_ref.",
+       "G(r) = pairs/ideal, r in L: the grains in the shell r_1 <= r < r_2 about all references, and those an ideal "
+       "gas "
+       "of density rho_N = N/V has there, N_ref rho_N times pi (r_2^2 - r_1^2) (2D), 4 pi (r_2^3 - r_1^3)/3 (3D); V as "
+       "for stress. L: mean over the grains of the length of their shape at size factor 1, mean diameter of discs and "
+       "spheres. References are away from the walls by rdf_margin_ends (along the axis of the lid, the last wall that "
+       "is no cylinder), rdf_margin_sides, rdf_margin_cylinder, each times L, or, where twice that is more than three "
+       "quarters of the width, by a sixth of the width if that is less (columns of rdf_peaks say what was used), and "
+       "count at r only while r_2 <= their distance to every wall less the radius of a bead and the mean radius (of "
+       "the thinnest arm), and <= half of every periodic length. In three dimensions the sides of a slab narrower "
+       "than twice the range have no margin, and the ideal gas has the part of the shell between them. "
+       "round(rdf_range/rdf_bin) bins. S3 prints 4 r^2 Delta r and N in place of N_ref.",
        "S3 Eqs. 9, 10, Fig. 7; theory sec. 4, 5"},
       {{"distance", "L", "centre of the bin"},
        {"g", "", "G(r); missing without references"},

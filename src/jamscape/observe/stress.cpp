@@ -52,9 +52,14 @@ Measure stress_measure() {
   const char* unit = "m d^(2-D)/tau_c^2";
   return frame_measure(
       {"stress", "mean contact stress",
-       "sigma_ab = (1/V) sum_c f_a l_b, f the force on a grain, l from its centre to the contact point, wall contacts "
-       "included, V the space between the walls (bead-centre lines for bead walls). Negative trace in compression; "
-       "pressure = -trace/D. Off-diagonal elements are symmetrised; elements with z are 0 in two dimensions.",
+       "sigma_ab = (1/V) sum over grains and their contacts of f_a l_b, f the force on the grain, l from its centre to "
+       "the "
+       "contact point; a contact between grains adds f_a (x_j - x_i)_b, f on i, the copy of j that touches; wall "
+       "contacts included. V: area (volume) between the walls, of bead walls between the lines of bead centres, of a "
+       "periodic box all of it, of a cylinder pi R^2 times its length; the same V in kinetic_stress, solid_fraction, "
+       "radial_distribution and wall_virial_pressure, whatever domain.box says of the packing fraction. Negative trace "
+       "in compression; pressure = -trace/D, contacts alone (kinetic_stress has the rest). Off-diagonal elements are "
+       "symmetrised; elements with z are 0 in two dimensions.",
        "S3 Eq. 8; theory sec. 4"},
       {{"stress_xx", unit, "negative in compression"},
        {"stress_yy", unit, "negative in compression"},

@@ -3,23 +3,63 @@
 #include "jamscape/observe/box.hpp"
 #include "jamscape/observe/box_sides.hpp"
 #include "jamscape/observe/entry.hpp"
+#include "jamscape/observe/wall_margin.hpp"
 
 namespace jam {
 
-WallForces wall_forces(const Packing& packing) {
+namespace {
+
+/// The normal force on each wall by its contacts away from the others; with no margin all of it.
+std::vector<double> inner_forces(const Packing& p, const MeasureOptions& options) {
+  std::vector<double> force(p.walls.size(), 0.0);
+  const WallMargin margin(p, options);
+  const Contacts& k = p.contacts;
+  for (std::size_t c = 0; c < k.size(); ++c) {
+    if (k.j[c] >= 0) continue;
+    const auto w = static_cast<std::size_t>(-1 - k.j[c]);
+    const int axis = wall_axis(p.walls[w], p.dimension);
+    Vec3 along = k.point[c];
+    along[axis] = (p.domain.lo[axis] + p.domain.hi[axis]) / 2;
+    if (margin.keeps(along))
+      force[w] += dot(k.tangential_force[c] - k.normal_force[c] * k.normal[c], p.walls[w].normal);
+  }
+  return force;
+}
+
+double wall_virial(const Packing& p) {
+  const Contacts& k = p.contacts;
+  const Vec3 centre = 0.5 * (p.domain.lo + p.domain.hi);
+  double sum = 0;
+  for (std::size_t c = 0; c < k.size(); ++c)
+    if (k.j[c] < 0) sum += dot(k.tangential_force[c] - k.normal_force[c] * k.normal[c], k.point[c] - centre);
+  const double volume = box_volume(p);
+  return volume > 0 ? (0 - sum) / (p.dimension * volume) : 0;
+}
+
+}  // namespace
+
+WallForces wall_forces(const Packing& packing, const MeasureOptions& options) {
   WallForces f;
   const Vec3 side = packing.domain.hi - packing.domain.lo;
   const double volume = box_volume(packing);
+  const bool whole = options.force_margin == 0;
+  const WallMargin margin(packing, options);
+  const std::vector<double> inner = whole ? std::vector<double>() : inner_forces(packing, options);
   double sum = 0, walls = 0;
-  for (const Wall& wall : packing.walls) {
+  for (std::size_t w = 0; w < packing.walls.size(); ++w) {
+    const Wall& wall = packing.walls[w];
     if (wall.kind == WallKind::cylinder) continue;
     const int at = wall_side(wall, packing.dimension);
     const double force = -dot(wall.force, wall.normal);
     f.normal[static_cast<std::size_t>(at)] += force;
-    if (volume > 0) sum += force / (volume / side[at / 2]);
+    double area = volume / side[at / 2];
+    for (int a = 0; a < packing.dimension; ++a)
+      if (a != at / 2) area *= 1 - 2 * margin.along(a) / side[a];
+    if (volume > 0) sum += (whole ? force : inner[w]) / area;
     ++walls;
   }
   if (walls > 0) f.pressure = sum / walls;
+  if (!packing.walls.empty()) f.virial = wall_virial(packing);
   return f;
 }
 
@@ -28,9 +68,14 @@ Measure walls_measure() {
   return frame_measure(
       {"walls", "forces on the walls",
        "wall_force = -F.n with F the force of all grains on a wall and n its normal into the domain: positive when the "
-       "wall is pushed outward. wall_pressure: mean over the walls of force over length (area). Walls that are not "
-       "there "
-       "have force 0; a cylinder, whose sum over all directions says nothing, is left out.",
+       "wall is pushed outward. wall_pressure: mean over the walls of force over length (area) between the lines of "
+       "bead centres of its neighbours; with force_margin > 0 contacts closer than that to another wall are left out "
+       "and the lengths are shorter by twice as much. wall_virial_pressure = -(1/(D V)) sum over wall contacts of f.(p "
+       "- centre), f the force on the grain, p the contact point, V as for stress, centre the middle of the box: at "
+       "rest and without gravity the pressure of the measure stress. wall_pressure is larger by what walls hand to "
+       "each other in the corners and along themselves, and as bead contacts lie inside the lines of centres. Walls "
+       "that are not there have force 0; a cylinder, whose sum over all directions says nothing, is left out of "
+       "wall_pressure.",
        "theory sec. 1"},
       {{"wall_force_x_lo", unit, "normal force on the wall at small x"},
        {"wall_force_x_hi", unit, "normal force on the wall at large x"},
@@ -38,11 +83,13 @@ Measure walls_measure() {
        {"wall_force_y_hi", unit, "normal force on the wall at large y"},
        {"wall_force_z_lo", unit, "normal force on the wall at small z; 0 in two dimensions"},
        {"wall_force_z_hi", unit, "normal force on the wall at large z; 0 in two dimensions"},
-       {"wall_pressure", "m d^(2-D)/tau_c^2", "mean of force over length (area) of the walls; 0 without walls"}},
+       {"wall_pressure", "m d^(2-D)/tau_c^2", "mean of force over length (area) of the walls; 0 without walls"},
+       {"wall_virial_pressure", "m d^(2-D)/tau_c^2", "pressure by the moments of the wall forces; 0 without walls"}},
       [](const Snapshot& s) {
-        const WallForces f = wall_forces(s.packing());
+        const WallForces f = wall_forces(s.packing(), s.options());
         std::vector<double> row(f.normal.begin(), f.normal.end());
         row.push_back(f.pressure);
+        row.push_back(f.virial);
         return row;
       });
 }

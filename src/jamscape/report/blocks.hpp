@@ -62,9 +62,9 @@ Json conzelmann_block();
 Json surfaces_block(const Results& results);
 
 /// Packings and their forces. `force` says which force of a contact is drawn.
-Json networks_block(const std::vector<PictureSource>& sources, EdgeForce force);
+Json networks_block(const std::vector<PictureSource>& sources, const MeasureOptions& options);
 
 /// Persistence diagrams of the same packings.
-Json diagrams_block(const std::vector<PictureSource>& sources);
+Json diagrams_block(const std::vector<PictureSource>& sources, const MeasureOptions& options);
 
 }  // namespace jam

@@ -7,6 +7,7 @@
 
 #include "jamscape/io/csv.hpp"
 #include "jamscape/io/run_file.hpp"
+#include "jamscape/observe/persistence_measures.hpp"
 #include "jamscape/report/blocks.hpp"
 #include "jamscape/report/drawing.hpp"
 #include "jamscape/report/shape_json.hpp"
@@ -109,7 +110,17 @@ int last_dimension(const std::map<std::int64_t, std::map<int, Points>>& frames) 
   return last;
 }
 
-Json diagram_json(const std::map<int, Points>& dimensions, int last) {
+/// How many points are in each bin, as the measure persistence_bins counts them.
+Json bins_json(const Points& points, int dimension, const MeasureOptions& options) {
+  Diagram diagram;
+  for (std::size_t k = 0; k < points.essential.size(); ++k)
+    diagram.pairs.push_back(
+        {dimension, points.birth_death[2 * k], points.birth_death[2 * k + 1], points.essential[k] != '\0', -1, -1});
+  const BinCounts b = persistence_bins(diagram, dimension, bin_options(options));
+  return {{"rough", b.rough}, {"strong", b.strong}, {"medium", b.medium}, {"weak", b.weak}};
+}
+
+Json diagram_json(const std::map<int, Points>& dimensions, int last, const MeasureOptions& options) {
   double largest = 1;
   for (const auto& [dimension, points] : dimensions) {
     for (const double value : points.birth_death) largest = std::max(largest, value);
@@ -120,7 +131,8 @@ Json diagram_json(const std::map<int, Points>& dimensions, int last) {
     const Points points = found != dimensions.end() ? found->second : Points{};
     list.push_back({{"pairs", points.essential.size()},
                     {"values", packed_words(points.birth_death, 0, largest)},
-                    {"essential", base64(points.essential)}});
+                    {"essential", base64(points.essential)},
+                    {"bins", bins_json(points, dimension, options)}});
   }
   return {{"dimensions", std::move(list)}, {"value_max", rounded(largest)}};
 }
@@ -148,18 +160,18 @@ Json labelled(const PictureSource& source, const PictureFrame& frame, Json data)
 
 }  // namespace
 
-Json networks_block(const std::vector<PictureSource>& sources, EdgeForce force) {
-  return per_system(sources, [force](const PictureSource& source) {
+Json networks_block(const std::vector<PictureSource>& sources, const MeasureOptions& options) {
+  return per_system(sources, [&](const PictureSource& source) {
     Json frames = Json::array();
     const RunFile run(source.folder.run_file(), Look::structure);
     for (const PictureFrame& frame : source.frames)
-      frames.push_back(labelled(source, frame, drawing_json(drawing(run.frame(frame.stored), force))));
+      frames.push_back(labelled(source, frame, drawing_json(drawing(run.frame(frame.stored), options))));
     return frames;
   });
 }
 
-Json diagrams_block(const std::vector<PictureSource>& sources) {
-  return per_system(sources, [](const PictureSource& source) {
+Json diagrams_block(const std::vector<PictureSource>& sources, const MeasureOptions& options) {
+  return per_system(sources, [&](const PictureSource& source) {
     Json frames = Json::array();
     const std::filesystem::path file = source.folder.tables() / "diagram.csv";
     if (!std::filesystem::exists(file)) return frames;
@@ -182,7 +194,7 @@ Json diagrams_block(const std::vector<PictureSource>& sources) {
     std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.rho < b.rho; });
     for (const PictureFrame& frame : ordered)
       frames.push_back(
-          labelled(source, frame, diagram_json(by_frame.at(static_cast<std::int64_t>(frame.stored)), last)));
+          labelled(source, frame, diagram_json(by_frame.at(static_cast<std::int64_t>(frame.stored)), last, options)));
     return frames;
   });
 }

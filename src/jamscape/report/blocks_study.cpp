@@ -90,7 +90,8 @@ Json study_block(const Results& results) {
           {"swept", varied},
           {"measure",
            {{"force", std::string(EnumNames<EdgeForce>::values[static_cast<std::size_t>(study.measure.force)].second)},
-            {"clamp", rounded(study.measure.clamp)}}},
+            {"clamp", rounded(study.measure.clamp)},
+            {"rough_includes_edge", study.measure.rough_includes_edge}}},
           {"systems", std::move(systems)}};
 }
 

@@ -16,17 +16,6 @@ double contact_force(const Contacts& contacts, std::size_t c, EdgeForce kind) {
   return kind == EdgeForce::total ? std::hypot(normal, norm(contacts.tangential_force[c])) : normal;
 }
 
-double mean_force_between_grains(const Contacts& contacts, EdgeForce kind) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (contacts.j[c] < 0 || contacts.overlap[c] < 0) continue;
-    sum += contact_force(contacts, c, kind);
-    ++count;
-  }
-  return count ? sum / static_cast<double>(count) : 0;
-}
-
 class Sketch {
  public:
   explicit Sketch(const Packing& packing) : p_(packing) {
@@ -44,14 +33,16 @@ class Sketch {
     if (!p_.shapes.empty()) add_shapes();
   }
 
-  Drawing finish(EdgeForce kind) {
-    if (!p_.shapes.empty()) {
-      add_pairs(kind);
-      return std::move(d_);
-    }
-    const double mean = mean_force_between_grains(p_.contacts, kind);
-    for (std::size_t c = 0; mean > 0 && c < p_.contacts.size(); ++c)
-      if (p_.contacts.normal_force[c] > 0) add_contact(c, contact_force(p_.contacts, c, kind) / mean);
+  /// Forces in units of the network's mean.
+  Drawing finish(MeasureOptions options) {
+    options.clamp = 0;
+    const ForceNetwork network = force_network(p_, find_bonds(p_), options);
+    if (!p_.shapes.empty())
+      add_pairs(network, options.force);
+    else
+      for (std::size_t c = 0; network.mean_force > 0 && c < p_.contacts.size(); ++c)
+        if (p_.contacts.normal_force[c] > 0)
+          add_contact(c, contact_force(p_.contacts, c, options.force) / network.mean_force);
     return std::move(d_);
   }
 
@@ -82,11 +73,7 @@ class Sketch {
     }
   }
 
-  void add_pairs(EdgeForce kind) {
-    MeasureOptions options;
-    options.force = kind;
-    options.clamp = 0;
-    const ForceNetwork network = force_network(p_, find_bonds(p_), options);
+  void add_pairs(const ForceNetwork& network, EdgeForce kind) {
     for (std::size_t e = 0; e < network.contact.size(); ++e) add_contact(network.contact[e], network.graph.weight[e]);
     for (std::size_t c = 0; network.mean_force > 0 && c < p_.contacts.size(); ++c)
       if (p_.contacts.j[c] < 0 && p_.contacts.normal_force[c] > 0)
@@ -160,6 +147,12 @@ class Sketch {
 
 }  // namespace
 
-Drawing drawing(const Packing& packing, EdgeForce force) { return Sketch(packing).finish(force); }
+Drawing drawing(const Packing& packing, const MeasureOptions& options) { return Sketch(packing).finish(options); }
+
+Drawing drawing(const Packing& packing, EdgeForce force) {
+  MeasureOptions options;
+  options.force = force;
+  return drawing(packing, options);
+}
 
 }  // namespace jam

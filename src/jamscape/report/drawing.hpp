@@ -41,7 +41,9 @@ struct Drawing {
 };
 
 /// A line for every contact with a positive normal force; between two clusters a single one, of the sum of their
-/// contact forces. `force` says which force of a contact is drawn.
+/// contact forces. Forces are in units of the mean of the network that the options describe: without rattlers where
+/// they are removed, not clamped; `force` says which force of a contact is drawn.
+Drawing drawing(const Packing& packing, const MeasureOptions& options);
 Drawing drawing(const Packing& packing, EdgeForce force);
 
 }  // namespace jam

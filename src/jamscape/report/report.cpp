@@ -34,8 +34,8 @@ std::vector<LeftOut> write_report(const std::filesystem::path& results_dir, cons
   const Json shapes = shapes_block(results, pictures);
   if (!shapes.is_null()) add("conzelmann", conzelmann_block());
   add("shapes", shapes);
-  add("networks", networks_block(pictures, results.study.measure.force));
-  add("diagrams", diagrams_block(pictures));
+  add("networks", networks_block(pictures, results.study.measure));
+  add("diagrams", diagrams_block(pictures, results.study.measure));
   write_text(results_dir / "report.html", print_page(page));
   std::vector<LeftOut> damaged;
   for (const PictureSource& source : pictures)

@@ -128,6 +128,12 @@ const Measure& relaxation_measure() {
   return measure;
 }
 
+MeasureOptions measure_options(const Study& study, std::size_t system) {
+  MeasureOptions options = study.measure;
+  if (const double gravity = study.systems[system].options.domain.gravity; gravity != 0) options.gravity = gravity;
+  return options;
+}
+
 std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measure*>& wanted,
                          const MeasureOptions& options, Remeasure what, const std::function<bool()>& stop) {
   std::vector<const Measure*> measures = {&instant_measure()};
@@ -184,15 +190,17 @@ std::vector<LeftOut> measure_tasks(const Study& study, const std::vector<Task>& 
     if (!stored->usable() || !has_all_frames(folder, task.plan)) return;
     try {
       if (places.rows == places.results) {
-        if (const auto lock = FileLock::try_lock(folder.lock())) measure_task(folder, chosen, study.measure, what);
+        if (const auto lock = FileLock::try_lock(folder.lock()))
+          measure_task(folder, chosen, measure_options(study, task.system), what);
         return;
       }
       std::vector<const Measure*> wanted = {&instant_measure()};
       wanted.insert(wanted.end(), chosen.begin(), chosen.end());
       const TaskFolder elsewhere(places.results, task.hash, places.rows);
-      if (what == Remeasure::all ||
-          !missing_rows(folder, wanted, study.measure, RunFile(folder.run_file(), Look::structure)).empty())
-        measure_task(elsewhere, chosen, study.measure, what);
+      if (what == Remeasure::all || !missing_rows(folder, wanted, measure_options(study, task.system),
+                                                  RunFile(folder.run_file(), Look::structure))
+                                         .empty())
+        measure_task(elsewhere, chosen, measure_options(study, task.system), what);
       else
         fs::remove_all(elsewhere.tables());  // of an earlier time; the results have their own
     } catch (const Error& error) {

@@ -24,6 +24,9 @@ const Measure& relaxation_measure();
 
 enum class Remeasure { missing, all };
 
+/// Those of the study, with the gravity of the system.
+MeasureOptions measure_options(const Study& study, std::size_t system);
+
 /// Evaluates the measures on every stored frame of a task that is done. Returns how many measures were computed.
 /// `stop` is polled between frames; true leaves the tables as they were. Throws a data error for an unreadable run.h5.
 std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measure*>& measures,

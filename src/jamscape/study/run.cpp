@@ -77,7 +77,7 @@ class Runner {
                           options_.checkpoint_interval, options_.threads};
       if (simulate_task(study_, task, folder, hooks) == Outcome::stopped) return Ending::stopped;
       listener_.measuring(index);
-      measure_task(folder, measures_, study_.measure, Remeasure::missing, hooks.stop);
+      measure_task(folder, measures_, measure_options(study_, task.system), Remeasure::missing, hooks.stop);
       if (stopping()) return Ending::stopped;
       listener_.finished(index, !done);
       return done ? Ending::done_before : Ending::simulated;

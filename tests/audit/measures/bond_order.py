@@ -20,11 +20,12 @@ def bond_order(packing, options):
     printed, closed, local, complex_sum = 0.0, 0.0, 0.0, 0j
     if packing.dimension == 2:
         for theta in bonds(packing):
-            if len(theta) < 2:
+            if len(theta) == 0:
                 continue
-            gaps = np.diff(theta)
-            printed += np.cos(6 * gaps).mean()
-            closed += np.cos(6 * np.append(gaps, theta[0] - theta[-1])).mean()
+            if len(theta) > 1:
+                gaps = np.diff(theta)
+                printed += np.cos(6 * gaps).mean()
+                closed += np.cos(6 * np.append(gaps, theta[0] - theta[-1])).mean()
             phase = np.exp(6j * theta).mean()
             local += abs(phase)
             complex_sum += phase

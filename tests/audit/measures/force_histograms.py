@@ -17,15 +17,26 @@ def linear_bins(name, values, options):
             "norm": np.full(len(count), norm, dtype=float)}
 
 
-def single_forces(packing):
+def from_walls(packing, options, places):
+    """Whether places are at least force_margin mean diameters, at most a sixth of the width, from every wall."""
+    inside = np.ones(len(places), dtype=bool)
+    for a in range(packing.dimension):
+        if not packing.periodic[a]:
+            margin = min(options.force_margin * 2 * packing.radius.mean(), packing.sides[a] / 6)
+            inside &= np.minimum(places[:, a] - packing.lo[a], packing.hi[a] - places[:, a]) >= margin * (1 - 1e-12)
+    return inside if options.force_margin > 0 else inside | True
+
+
+def single_forces(packing, options):
     """Normal forces above 0 of all contacts between grains, clusters' contacts each by itself; with their mean."""
-    force = packing.fn[grain_pairs(packing)]
+    contacts = grain_pairs(packing)
+    force = packing.fn[contacts][from_walls(packing, options, packing.point[contacts])]
     force = force[force > 0]
     return force, force.mean() if len(force) else 0.0
 
 
-def over_mean(packing):
-    force, mean = single_forces(packing)
+def over_mean(packing, options):
+    force, mean = single_forces(packing, options)
     return force / mean if mean else force
 
 
@@ -45,13 +56,13 @@ def force_distribution(packing, options):
 
 @audits("contact_force_distribution")
 def contact_force_distribution(packing, options):
-    return linear_bins("force", over_mean(packing), options)
+    return linear_bins("force", over_mean(packing, options), options)
 
 
 @audits("contact_forces")
 def contact_forces(packing, options):
-    force, mean = single_forces(packing)
-    f = over_mean(packing)
+    force, mean = single_forces(packing, options)
+    f = over_mean(packing, options)
     share = lambda limit: float(exceeds(f, limit).mean()) if len(f) else 0.0
     return {"force_contacts": len(force), "mean_contact_force": mean, "fraction_above_max": share(options.contact_force_max),
             "fraction_above_8": share(8), "largest_force": f.max() if len(f) else 0.0}

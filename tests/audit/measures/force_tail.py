@@ -50,7 +50,7 @@ def nothing(f):
 
 @audits("force_tail")
 def force_tail(packing, options):
-    f = over_mean(packing)
+    f = over_mean(packing, options)
     bins = linear_bins("force", f, options)
     centre, density, count, norm = bins["force"], bins["density"], bins["count"], bins["norm"][0]
     if len(f) < 3 or (count > 0).sum() < 4:

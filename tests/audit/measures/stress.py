@@ -25,6 +25,18 @@ def stress(packing, options):
     return {**columns, "pressure": pressure}
 
 
+@audits("kinetic_stress")
+def kinetic_stress(packing, options):
+    drift = packing.mass @ packing.velocity / packing.mass.sum()
+    v = packing.velocity - drift
+    full = np.zeros((3, 3))
+    full[:packing.dimension, :packing.dimension] = -(packing.mass[:, None] * v).T @ v / packing.space
+    pressure = -np.trace(full) / packing.dimension
+    columns = {f"kinetic_stress_{'xyz'[a]}{'xyz'[b]}": Sum(full[a, b], pressure)
+               for a, b in ((0, 0), (1, 1), (0, 1), (2, 2), (0, 2), (1, 2))}
+    return {**columns, "kinetic_pressure": Sum(pressure, pressure)}
+
+
 @audits("particle_stress")
 def particle_stress(packing, options):
     sigma = per_grain(packing) / packing.volume[:, None, None]
@@ -42,8 +54,9 @@ def particle_stress(packing, options):
 
 @audits("stress_distribution")
 def stress_distribution(packing, options):
-    from measures.force_histograms import linear_bins
+    from measures.force_histograms import from_walls, linear_bins
     i1 = np.trace(per_grain(packing) / packing.volume[:, None, None], axis1=1, axis2=2)
+    i1 = i1[from_walls(packing, options, packing.x)]
     return linear_bins("stress", i1 / i1.mean() if i1.mean() else 0 * i1, options)
 
 
@@ -52,6 +65,7 @@ def balance(packing, options):
     grain, force, _ = by_grain(packing)
     net = np.zeros((packing.count, packing.dimension))
     np.add.at(net, grain, force)
+    net[:, 1] -= options.gravity * packing.mass
     size = np.linalg.norm(packing.force[touching(packing)], axis=1)
-    unbalanced = np.linalg.norm(net, axis=1).mean() / size.mean() if len(size) else 0.0
+    unbalanced = np.linalg.norm(net, axis=1).mean() / size.mean() if size.sum() > 0 else np.nan
     return {"unbalanced_force": Sum(unbalanced, 1)}

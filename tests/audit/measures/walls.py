@@ -3,7 +3,7 @@ import numpy as np
 
 from contacts import wall_contacts
 from measures.percolation import face_of
-from registry import audits
+from registry import Sum, audits
 
 
 def wall_forces(packing):
@@ -25,6 +25,10 @@ def walls(packing, options):
         columns[f"wall_force_{'xyz'[axis]}_{'lo' if side > 0 else 'hi'}"] = force
         pressures.append(force / (packing.space / packing.sides[axis]))
     columns["wall_pressure"] = np.mean(pressures) if pressures else 0.0
+    c = wall_contacts(packing)
+    terms = (packing.force[c] * (packing.point[c] - (packing.lo + packing.hi) / 2)).sum(axis=1)
+    columns["wall_virial_pressure"] = Sum(-terms.sum() / packing.dimension / packing.space,
+                                          np.abs(terms).sum() / packing.dimension / packing.space)
     return columns
 
 

@@ -38,7 +38,7 @@ double order(double x, double y) {
 
 /// One grain by itself: printed, closed, local, re, im.
 std::array<double, 5> order_alone(std::vector<Direction> directions) {
-  if (directions.size() < 2) return {};
+  if (directions.empty()) return {};
   std::stable_sort(directions.begin(), directions.end(),
                    [](const auto& a, const auto& b) { return order(a[0], a[1]) < order(b[0], b[1]); });
   std::vector<double> re, im;
@@ -55,6 +55,7 @@ std::array<double, 5> order_alone(std::vector<Direction> directions) {
     sum_re += re[k];
     sum_im += im[k];
   }
+  if (directions.size() == 1) return {0, 0, std::sqrt(re[0] * re[0] + im[0] * im[0]), re[0], im[0]};
   return {gaps / (n - 1), (gaps + (re.back() * re[0] + im.back() * im[0])) / n,
           std::sqrt(sum_re * sum_re + sum_im * sum_im) / n, sum_re / n, sum_im / n};
 }

@@ -42,12 +42,13 @@ TEST(BondOrder, SquareLatticeIsMinusOneAsPrinted) {
   EXPECT_NEAR(b.global, 0, 1e-12);
 }
 
-TEST(BondOrder, StraightChainIsPlusOneAndItsEndsAreZero) {
+TEST(BondOrder, StraightChainIsPlusOneAndItsEndsAreZeroAsPrinted) {
   Packing p = box(2, {10, 4, 0});
   for (const double x : {1.0, 2.0, 3.0, 4.0}) add_grain(p, {x, 2, 0});
   touch(p);
   EXPECT_NEAR(of(p).printed, 0.5, 1e-12);
-  EXPECT_NEAR(of(p).local, 0.5, 1e-12);
+  EXPECT_NEAR(of(p).local, 1, 1e-12);  // one bond has an order of 1
+  EXPECT_NEAR(of(p).global, 1, 1e-12);
 }
 
 TEST(BondOrder, LeavesTheGapAcrossTheNegativeXAxisOut) {
@@ -83,7 +84,7 @@ TEST(BondOrder, LocalSeesGrainsThatTheGlobalAverageCancels) {
     ++next;
   }
   const BondOrder b = of(p);
-  EXPECT_NEAR(b.local, 2.0 / 14, 1e-9);
+  EXPECT_NEAR(b.local, 1, 1e-9);
   EXPECT_NEAR(b.global, 0, 1e-9);
   EXPECT_NEAR(b.printed, 2.0 / 14, 1e-9);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "jamscape/geometry/cluster_shape.hpp"
+#include "jamscape/observe/force_distribution.hpp"
 #include "packings.hpp"
 
 namespace jam {
@@ -83,6 +84,35 @@ TEST(ContactForces, OfNothing) {
     EXPECT_EQ(value(contact_forces_measure(), s, column), 0) << column;
   const Table t = contact_force_distribution_measure().evaluate(s);
   EXPECT_EQ(t.numbers("density"), std::vector<double>(50, 0.0));
+}
+
+TEST(ContactForces, AMarginLeavesOutWhatIsNearAWall) {
+  Packing p = box(2, {12, 12, 0});
+  add_walls(p);
+  for (const double x : {0.5, 1.5, 2.5, 3.5}) add_grain(p, {x, 6, 0});
+  add_contact(p, 0, 1, 1);  // at 1, 2 and 3 from the wall
+  add_contact(p, 1, 2, 2);
+  add_contact(p, 2, 3, 4);
+  MeasureOptions away;
+  away.force_margin = 2;  // a sixth of the width too; a contact on the margin counts
+  EXPECT_EQ(contact_forces(p, away), (std::vector<double>{2, 4}));
+  away.force_margin = 5;
+  EXPECT_EQ(contact_forces(p, away), (std::vector<double>{2, 4}));
+  away.force_margin = 1.5;
+  const Histogram h = force_distribution(p, Snapshot(p, away).network(), away);
+  EXPECT_EQ(h.total(), 2);
+  EXPECT_EQ(contact_forces(p), (std::vector<double>{1, 2, 4}));
+}
+
+// Ten forces of which one is 8 times the mean, computed with round-off: on the border, not above it.
+TEST(ContactForces, AForceOnABorderIsNotAboveIt) {
+  Packing p = box(2, {40, 10, 0});
+  for (int k = 0; k < 11; ++k) add_grain(p, {1.0 + k, 1, 0});
+  for (std::uint32_t k = 0; k < 9; ++k) add_contact(p, k, static_cast<std::int32_t>(k) + 1, .1 * 2 / 9);
+  add_contact(p, 9, 10, .8);
+  const Table t = contact_forces_measure().evaluate(Snapshot(p, {}));
+  EXPECT_EQ(t.numbers("fraction_above_8").at(0), 0);
+  EXPECT_NEAR(t.numbers("largest_force").at(0), 8, 1e-12);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/observe/balance.hpp"
+#include "jamscape/observe/contact_forces.hpp"
 #include "jamscape/observe/snapshot.hpp"
 #include "packings.hpp"
 
@@ -70,11 +72,28 @@ TEST(ForceNetwork, SeparatedGrainsAndWallsAreNoEdges) {
   p.grains.position[1][0] = 1.3;
   add_contact(p, 0, 1, 1);
   p.grains.position[2][0] = 2.31;
-  add_contact(p, 1, 2, 1);
+  add_contact(p, 1, 2, 0);
   const Snapshot s(p, {});
   EXPECT_EQ(s.network().graph.edges(), 1u);
   EXPECT_EQ(s.network().mean_force, 1);
   EXPECT_EQ(s.bonds().wall_contact.size(), 1u);
+}
+
+// Positions rounded to three digits, forces in full: what carries a force is a contact, in every measure.
+TEST(ForceNetwork, AContactWithAForceIsThereAcrossARoundedGap) {
+  Packing p = row(4);
+  p.grains.position[2][0] = 3.001;
+  p.grains.position[3][0] = 4.002;
+  add_contact(p, 0, 1, 2);
+  add_contact(p, 1, 2, 4);
+  add_contact(p, 2, 3, 0);
+  ASSERT_LT(p.contacts.overlap[1], 0);
+  ASSERT_LT(p.contacts.overlap[2], 0);
+  const Snapshot s(p, {});
+  EXPECT_EQ(s.network().force, (std::vector<double>{2, 4}));
+  EXPECT_EQ(contact_forces(p), (std::vector<double>{2, 4}));
+  EXPECT_EQ(s.bonds().grains, (std::vector<std::uint32_t>{1, 2, 1, 0}));
+  EXPECT_DOUBLE_EQ(unbalanced_force(p), ((2 + 2 + 4 + 0) / 4.) / 3);  // over two contacts, not three
 }
 
 TEST(ForceNetwork, SeveralContactsOfAPairAreOneEdgeWithTheirVectorSum) {
@@ -112,7 +131,7 @@ TEST(ForceNetwork, RattlersGoOnceAndNotRecursively) {
   EXPECT_EQ(Snapshot(p, {}).network().graph.vertices, 5u);
 }
 
-TEST(ForceNetwork, WithoutRattlersAGrainIsThereThroughItsEdgesOnly) {
+TEST(ForceNetwork, AGrainThatLosesItsEdgesToRattlersStaysAVertex) {
   Packing p = row(4);  // grain 1 touches two walls and a rattler: it stays, and no edge with it
   add_walls(p);
   add_contact(p, 0, 1, 1);
@@ -120,7 +139,8 @@ TEST(ForceNetwork, WithoutRattlersAGrainIsThereThroughItsEdgesOnly) {
   add_contact(p, 1, -1, 1);
   MeasureOptions options;
   options.remove_rattlers = true;
-  EXPECT_EQ(Snapshot(p, options).network().graph.vertices, 0u);
+  EXPECT_EQ(Snapshot(p, options).network().graph.vertices, 1u);
+  EXPECT_EQ(Snapshot(p, options).network().grain, (std::vector<std::uint32_t>{1}));
   EXPECT_EQ(Snapshot(p, options).network().grains, 1u);
   EXPECT_EQ(Snapshot(p, options).levels().front().clusters, 0u);
 }

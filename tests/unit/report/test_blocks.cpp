@@ -54,7 +54,7 @@ TEST_F(ReportBlocks, DistributionsAreThoseOfTheChosenFrames) {
 
 TEST_F(ReportBlocks, PicturesComeFromStoredFrames) {
   const auto sources = choose_pictures(open_results(folder()));
-  const Json networks = networks_block(sources, EdgeForce::normal);
+  const Json networks = networks_block(sources, {});
   ASSERT_EQ(networks["systems"].size(), 3u);
   // ten multiples of .02, and the frame above rho_c = .861
   EXPECT_EQ(networks["systems"][0].size(), 11u);
@@ -62,7 +62,7 @@ TEST_F(ReportBlocks, PicturesComeFromStoredFrames) {
   EXPECT_EQ(last["rho"], 0.9);
   EXPECT_EQ(last["grains"], 400);
   EXPECT_GT(last["contacts"], 400);
-  const Json diagrams = diagrams_block(sources);
+  const Json diagrams = diagrams_block(sources, {});
   EXPECT_EQ(diagrams["systems"][0].back()["dimensions"][0]["pairs"], 200);
   EXPECT_EQ(diagrams["systems"][0].back()["dimensions"][1]["pairs"], 100);
 }
@@ -86,7 +86,7 @@ TEST_F(ReportBlocks, WhatIsMissingIsNull) {
   EXPECT_TRUE(transitions_block(results).is_null());
   EXPECT_TRUE(score_block(results).is_null());
   EXPECT_TRUE(many_block(results, many_choices()[0]).is_null());
-  EXPECT_TRUE(networks_block(choose_pictures(results), EdgeForce::normal).is_null());
+  EXPECT_TRUE(networks_block(choose_pictures(results), {}).is_null());
   EXPECT_FALSE(study_block(results).is_null());
 }
 

@@ -25,6 +25,12 @@ Json many(const Results& results, const std::string& measure) {
   return {};
 }
 
+MeasureOptions total_forces() {
+  MeasureOptions options;
+  options.force = EdgeForce::total;
+  return options;
+}
+
 TEST_F(ClusterBlocks, ShapesComeFromTheStoredFrames) {
   const Results results = open_results(folder());
   const Json shapes = shapes_block(results, choose_pictures(results));
@@ -68,7 +74,7 @@ TEST_F(ClusterBlocks, DistributionsAreThoseOfTheFinalState) {
 TEST_F(ClusterBlocks, AContainerIsPicturedAfterEachStage) {
   const Results results = open_results(folder());
   const auto sources = choose_pictures(results);
-  const Json networks = networks_block(sources, EdgeForce::total);
+  const Json networks = networks_block(sources, total_forces());
   ASSERT_EQ(networks["systems"][5].size(), 3u);
   const char* stages[] = {"settle", "press", "relax"};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -18,6 +18,12 @@ struct Writer {
 };
 using NetworkBlocks = testing::StoredResults<Writer>;
 
+MeasureOptions total_forces() {
+  MeasureOptions options;
+  options.force = EdgeForce::total;
+  return options;
+}
+
 TEST_F(NetworkBlocks, TheInflectionIsWhereASystemJams) {
   const auto points = jamming_points(open_results(folder()));
   ASSERT_EQ(points.size(), 3u);
@@ -82,7 +88,7 @@ TEST_F(NetworkBlocks, WhatHasNoMeaningInADimensionIsLeftOut) {
 }
 
 TEST_F(NetworkBlocks, SpheresHaveThreeAxes) {
-  const Json networks = networks_block(choose_pictures(open_results(folder())), EdgeForce::total);
+  const Json networks = networks_block(choose_pictures(open_results(folder())), total_forces());
   EXPECT_EQ(networks["systems"][0][0]["axes"].size(), 2u);
   const Json& spheres = networks["systems"][2][0];
   EXPECT_EQ(spheres["axes"].size(), 3u);

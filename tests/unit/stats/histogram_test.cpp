@@ -22,6 +22,16 @@ TEST(Histogram, CountsAtTheEdges) {
   EXPECT_EQ(h.centres(), (std::vector<double>{0.5, 1.5, 2.5, 3.5}));
 }
 
+TEST(Histogram, DecimalEdgesHoldTheirValuesHoweverRounded) {
+  Histogram h(Spacing::linear, 0, 10, 50);  // edges .2 k, the third .6000000000000001
+  for (int k = 0; k < 50; ++k) {
+    h.add(.2 * k);
+    h.add(k / 5.);
+    h.add((k + 1) / 5. - .2);
+  }
+  for (const std::int64_t count : h.counts()) EXPECT_EQ(count, 3);
+}
+
 TEST(Histogram, DensityIntegratesToTheFractionInside) {
   Histogram h(Spacing::logarithmic, 0.1, 10, 7);
   for (int k = 1; k <= 1000; ++k) h.add(0.013 * k);

@@ -15,7 +15,7 @@ export const diagrams: Section = {
     if (!diagrams?.systems.some((frames) => frames.length)) return null;
     if (!context.data.transitions && !context.data.networks)
       context.state.frame.set(choicesOf(context, diagrams.systems).pop()![0]);
-    const { clamp } = context.data.study.measure;
+    const { clamp, rough_includes_edge: edge } = context.data.study.measure;
     const cells = diagrams.systems.flatMap((frames, system) => {
       if (!frames.length) return [];
       const chosen = () => pick(frames, context.state.frame.get(), jammingOf(context.data, system))!;
@@ -43,7 +43,7 @@ export const diagrams: Section = {
           "are features that persist; the strip marked ∞ holds those that never die; darker points lie where many others do. " +
           "Lines are the borders of the bins rough, weak, medium and strong; the numbers count the points in each.",
         formula:
-          "rough: <i>b</i> − <i>d</i> &lt; 0.1; else strong: <i>b</i> ≥ 2.5, medium: 1 ≤ <i>b</i> &lt; 2.5, weak: 0.1 ≤ <i>b</i> &lt; 1 " +
+          `rough: <i>b</i> − <i>d</i> ${edge ? "≤" : "&lt;"} 0.1; else strong: <i>b</i> ≥ 2.5, medium: 1 ≤ <i>b</i> &lt; 2.5, weak: 0.1 ≤ <i>b</i> &lt; 1 ` +
           "(a class that never dies has <i>d</i> = 0).",
         source: `S1 Sec. II.B–C, Figs. 2 and 4${context.data.surfaces ? "; S2 Fig. 10" : ""}.`,
       }),
