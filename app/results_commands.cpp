@@ -86,8 +86,9 @@ std::string print_ours(const Score& s) {
   return std::isfinite(s.error) ? fmt::format("{:.4g} +- {:.2g}", s.ours, s.error) : fmt::format("{:.4g}", s.ours);
 }
 
-ExitCode score(const std::string& dir, const std::string& file, bool as_json) {
-  const Study study = study_of_results(dir);
+ExitCode score(const std::string& dir, const std::string& file, bool as_json, bool unmarked) {
+  Study study = study_of_results(dir);
+  if (unmarked) study.info.ledger = LedgerRule::closed;
   const std::vector<Target> targets = find_targets(study, file);
   const std::vector<Task> tasks = list_tasks(study);
   std::optional<ScratchFolder> scratch;
@@ -234,7 +235,7 @@ ExitCode export_csv(const std::string& dir, const fs::path& out) {
 void add_results_commands(CLI::App& program, Action& action) {
   struct Arguments {
     std::string dir, file, hash, out;
-    bool json = false, all = false;
+    bool json = false, all = false, unmarked = false;
     int jobs = 0;
   };
   auto a = std::make_shared<Arguments>();
@@ -248,9 +249,10 @@ void add_results_commands(CLI::App& program, Action& action) {
                     [](const Arguments& x) { return report(x.dir, x.out); });
   r->add_option("--out,-o", a->out, "another folder for them, where nothing can or shall be written into DIR");
   CLI::App* s = add("score", "Published values beside ours, one row per target",
-                    [](const Arguments& x) { return score(x.dir, x.file, x.json); });
+                    [](const Arguments& x) { return score(x.dir, x.file, x.json, x.unmarked); });
   s->add_option("--targets", a->file, "file of targets (default: those the study names)");
   s->add_flag("--json", a->json, "one line of JSON per target");
+  s->add_flag("--unmarked", a->unmarked, "leave marked frames out, also where the study takes them into its means");
   CLI::App* v = add("verify", "Run a simulation again and compare every bit of its frames (exit code 3 if they differ)",
                     [](const Arguments& x) { return verify(x.dir, x.hash, x.all, x.jobs); });
   v->add_option("--task", a->hash, "hash of the run, or its beginning (default: the shortest)");

@@ -141,7 +141,7 @@ ExitCode run(const RunArguments& a) {
                                                 : Summary::text);
   if (result.failed > 0) return ExitCode::some_failed;
   if (warned.damaged) return ExitCode::data;
-  return a.strict && warned.not_relaxed > 0 ? ExitCode::not_converged : ExitCode::done;
+  return a.strict && warned.not_relaxed + warned.marked > 0 ? ExitCode::not_converged : ExitCode::done;
 }
 
 }  // namespace
@@ -167,7 +167,7 @@ void add_run(CLI::App& program, Action& action) {
   sub->add_flag("--dry-run", a->dry_run, "list the simulations and what they cost; run nothing");
   sub->add_flag("--json", a->json, "progress and summary as lines of JSON on standard output");
   sub->add_flag("--quiet,-q", a->quiet, "say nothing but errors");
-  sub->add_flag("--strict", a->strict, "end with exit code 4 when a relaxation did not converge");
+  sub->add_flag("--strict", a->strict, "end with exit code 4 when a relaxation did not converge or a frame is marked");
   sub->callback([a, &action] { action = [a] { return run(*a); }; });
 }
 

@@ -11,6 +11,7 @@
 #include "jamscape/base/files.hpp"
 #include "jamscape/report/report.hpp"
 #include "jamscape/study/ensemble.hpp"
+#include "jamscape/study/ledger.hpp"
 #include "jamscape/study/tables.hpp"
 #include "jamscape/study/transition_kinds.hpp"
 #include "jamscape/study/transitions.hpp"
@@ -72,7 +73,8 @@ void print_summary(const Study& study, const std::vector<std::vector<Transition>
   if (std::all_of(study.systems.begin(), study.systems.end(),
                   [](const System& s) { return is_container(s.options.domain.walls); }))
     return print_pressed(study, transitions, width);
-  if (relaxes(study)) return print_relaxed(study, transitions, width);
+  if (std::any_of(transitions.begin(), transitions.end(), [](const auto& of) { return find(of, "rho_j"); }))
+    return print_relaxed(study, transitions, width);
   fmt::print("{:{}}  runs  rho_c (mean Z = 3)   rho_c, Z of grains with 2 contacts   inflection of Z\n", "system",
              width);
   for (std::size_t s = 0; s < study.systems.size(); ++s) {
@@ -87,9 +89,10 @@ void print_summary(const Study& study, const std::vector<std::vector<Transition>
 }
 
 void print_json(const Study& study, const std::vector<std::vector<Transition>>& transitions, const std::string& report,
-                std::size_t not_relaxed) {
+                const Warned& warned) {
   nlohmann::json json{{"event", "summary"}, {"report", report}, {"systems", nlohmann::json::array()}};
-  if (relaxes(study)) json["frames_not_relaxed"] = not_relaxed;
+  if (relaxes(study)) json["frames_not_relaxed"] = warned.not_relaxed;
+  json["frames_marked"] = warned.marked;
   for (std::size_t s = 0; s < study.systems.size(); ++s) {
     nlohmann::json system{{"system", study.systems[s].name}};
     for (const Transition& t : transitions[s])
@@ -97,6 +100,28 @@ void print_json(const Study& study, const std::vector<std::vector<Transition>>& 
     json["systems"].push_back(std::move(system));
   }
   fmt::print("{}\n", json.dump());
+}
+
+/// One line for each system with marked frames; returns how many there are.
+std::size_t warn_of_marked(const Study& study, const std::vector<DoneTask>& done) {
+  std::size_t all = 0;
+  const auto systems = by_system(study, done);
+  for (std::size_t s = 0; s < systems.size(); ++s) {
+    const MarkedFrames marked = count_marked(systems[s]);
+    all += marked.frames;
+    if (marked.frames > 0)
+      complain(
+          "warning: system '{}': the energy ledger of {} frames of {} of {} runs, from {:.4g} on, is off by more "
+          "than {:g} % of what was turned over, at most by {:.3g} %\n",
+          study.systems[s].name, marked.frames, marked.runs, systems[s].size(), marked.from,
+          100 * study.info.ledger_mark, 100 * marked.worst);
+  }
+  if (all > 0)
+    complain("  they are marked in all tables and {}; integrator.step and integrator.scheme mend it\n",
+             study.info.ledger == LedgerRule::open
+                 ? "are in the means, which say so in the column `marked` (study.ledger = \"open\")"
+                 : "enter no mean");
+  return all;
 }
 
 }  // namespace
@@ -111,19 +136,28 @@ Warned write_results(const Study& study, const std::vector<Task>& tasks, const W
   warned.damaged = name_left_out(written.left_out, study, tasks);
   const FileLock lock = FileLock::lock(written.to / "lock.tables");  // shards may end at the same moment
   const std::vector<DoneTask> done = find_done(study, tasks, written.places, written.left_out);
-  write_tables(study, done, written.to);
+  const std::vector<std::string> empty = write_tables(study, done, written.to);
+  if (!empty.empty())
+    complain(
+        "note: no rows in the tables of {}: {}\n", fmt::join(empty, ", "),
+        study.measure.rows_every > 0
+            ? fmt::format("they are taken at packing fractions that are multiples of measure.rows_every = {}, and no "
+                          "frame lies on one; measure.rows_every = 0 takes all",
+                          study.measure.rows_every)
+            : std::string("no frame has what they count"));
   write_ensemble(study, done, written.to);
   const std::vector<std::vector<Transition>> transitions = write_transitions(study, done, written.to);
   if (name_left_out(write_report(written.to, written.places, written.left_out), study, tasks)) warned.damaged = true;
   const std::string report =
       written.keeps ? std::filesystem::absolute(written.to / "report.html").lexically_normal().string() : "";
   warned.not_relaxed = frames_not_relaxed(done);
+  warned.marked = warn_of_marked(study, done);
   if (warned.not_relaxed > 0)
     complain(
         "warning: {} frames are not relaxed: their relaxation ran out of its budget (`budget` in the column "
         "`relaxation`)\n  stage.NAME.relax_windows sets the budget\n",
         warned.not_relaxed);
-  if (summary == Summary::json) print_json(study, transitions, report, warned.not_relaxed);
+  if (summary == Summary::json) print_json(study, transitions, report, warned);
   if (summary != Summary::text) return warned;
   if (done.size() < tasks.size())
     fmt::print("{} of {} runs are done; the others are left out\n", done.size(), tasks.size());

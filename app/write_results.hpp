@@ -23,11 +23,12 @@ struct Written {
 
 struct Warned {
   std::size_t not_relaxed = 0;  ///< frames
+  std::size_t marked = 0;       ///< frames whose energy ledger is off (study/ledger.hpp)
   bool damaged = false;         ///< runs were left out
 };
 
 /// Writes tables, ensemble and report, prints what was found, and names on standard error the runs that are left out
-/// and the frames that are not relaxed.
+/// and the frames that are not relaxed or marked.
 Warned write_results(const Study& study, const std::vector<Task>& tasks, const Written& written, Summary summary);
 
 /// Names runs that cannot be used on standard error; true when there are some.

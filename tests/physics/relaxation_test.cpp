@@ -151,7 +151,64 @@ TEST(Frames, below_the_start_asked_for_are_refused_with_a_start_that_would_do) {
   }
   s.stages[0].kind = StageKind::compress;
   s.stages[0].frames_inside = 0;
-  EXPECT_EQ(plan(s, {1, "grid", 0}).frames.size(), 0u) << "an approach may end below it";
+  const Plan approach = plan(s, {1, "grid", 0});
+  ASSERT_EQ(approach.frames.size(), 1u) << "an approach may end below it; a run without frames has its last instant";
+  EXPECT_EQ(approach.frames[0].packing_fraction, 0.5);
+  EXPECT_EQ(approach.frames[0].step, approach.steps);
+}
+
+TEST(Frames, within_one_time_step_are_refused_beforehand) {
+  SystemOptions s = climbing(2);
+  s.start.packing_fraction = 0.5;
+  s.stages[0].kind = StageKind::compress;
+  s.stages[0].frames_inside = 0;
+  s.stages[0].speed = 0.5;
+  s.stages[0].to = 0.6;
+  s.stages[0].frames = 100;
+  try {
+    plan(s, {1, "grid", 0});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(e.problem().find("stage.climb.frames"), std::string::npos);
+    const std::size_t at = e.suggestion().find("frames = ");
+    ASSERT_NE(at, std::string::npos);
+    s.stages[0].frames = std::stoi(e.suggestion().substr(at + 9));
+    EXPECT_GT(s.stages[0].frames, 10);
+    EXPECT_NO_THROW(plan(s, {1, "grid", 0})) << e.suggestion();
+  }
+}
+
+TEST(Frames, of_a_run_that_asks_for_none_is_the_last_instant) {
+  SystemOptions s = climbing(2);
+  s.start.packing_fraction = 0.5;
+  s.stages[0].kind = StageKind::compress;
+  s.stages[0].frames_inside = 0;
+  s.stages[0].to = 0.7;
+  std::vector<Packing> frames;
+  Hooks hooks;
+  hooks.frame = [&](std::size_t, const Packing& p) { frames.push_back(p); };
+  ASSERT_EQ(simulate(s, {2, "none", 0}, hooks), Outcome::finished);
+  ASSERT_EQ(frames.size(), 1u);
+  EXPECT_NEAR(frames[0].packing_fraction, 0.7, 1e-3);
+}
+
+TEST(Frames, of_a_periodic_box_that_becomes_too_narrow_are_refused_with_the_number_that_would_do) {
+  SystemOptions s = climbing(2);
+  s.domain.walls = WallModel::periodic;
+  s.start.packing_fraction = 0.5;
+  s.grains.count = 9;
+  try {
+    plan(s, {1, "grid", 0});
+    FAIL();
+  } catch (const Error& e) {
+    const std::size_t at = e.suggestion().find("grains.count = ");
+    ASSERT_NE(at, std::string::npos);
+    s.grains.count = std::stoi(e.suggestion().substr(at + 15));
+    EXPECT_LT(s.grains.count, 30);
+    Hooks hooks;
+    hooks.largest_ledger_error = 1;
+    EXPECT_EQ(simulate(s, {1, "grid", 0}, hooks), Outcome::finished);
+  }
 }
 
 TEST(Relaxation, rest_by_the_kinetic_energy_is_judged_by_the_forces_too) {

@@ -73,7 +73,7 @@ export class Context {
     this.data.frames?.systems.forEach((frames, system) => {
       const estimate = frames.quantities[quantity];
       if (!estimate?.mean.some((v) => v !== null)) return;
-      lines.push({ ...this.line(system, frames.rho, estimate, scale(system)), unrelaxed: frames.unrelaxed });
+      lines.push({ ...this.line(system, frames.rho, estimate, scale(system)), unrelaxed: frames.unrelaxed, marked: frames.marked });
     });
     return lines;
   }

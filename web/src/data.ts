@@ -12,6 +12,8 @@ export interface System {
   scales?: { length: number; mass: number; time: number } | null;
   /** how the relaxations before its frames ended, over all realisations; null where nothing relaxes */
   relaxations?: { fluctuation: number; energy: number; budget: number } | null;
+  /** frames whose energy ledger is off, over all realisations; null where there are none */
+  ledger?: { frames: number; from: number; worst: number } | null;
 }
 
 export interface Study {
@@ -21,6 +23,8 @@ export interface Study {
   revision: string;
   seed: string;
   swept: string[];
+  /** a frame is marked where its ledger is off by more than `mark`; open: means take such frames in */
+  ledger?: { mark: number; open: boolean };
   /** what is the weight of an edge, the largest kept (0: all), whether a lifetime of exactly 0.1 is rough */
   measure: { force: "normal" | "total"; clamp: number; rough_includes_edge?: boolean };
   systems: System[];
@@ -36,8 +40,9 @@ export interface Estimate {
 
 /** block "frames": per system, every column of ensemble/frames.csv over packing fraction */
 export interface Frames {
-  /** unrelaxed: per packing fraction, how many realisations were not relaxed; absent where nothing relaxes */
-  systems: { rho: number[]; unrelaxed?: number[]; quantities: Record<string, Estimate> }[];
+  /** unrelaxed: per packing fraction, how many realisations were not relaxed; absent where nothing relaxes.
+   * marked: of how many the energy ledger is off; absent where there are none */
+  systems: { rho: number[]; unrelaxed?: number[]; marked?: number[]; quantities: Record<string, Estimate> }[];
 }
 
 /** block "surfaces": quantities over packing fraction and force threshold; row by row, a row per packing fraction */

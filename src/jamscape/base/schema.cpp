@@ -54,7 +54,7 @@ double number(const Option& option, const Written& written, const Scales& scales
   else
     throw_wrong_type(option, written);
   check_range(option, value, written.place);
-  return value;
+  return value + 0.0;  // -0.0 is 0: both name one simulation
 }
 
 }  // namespace

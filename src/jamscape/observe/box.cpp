@@ -21,6 +21,10 @@ const Wall* find_cylinder(const Packing& packing) {
 }
 
 const Wall* find_lid(const Packing& packing) {
+  const bool falls = packing.energy.gravity_work != 0;  // down the second axis, in our own packings
+  for (std::size_t w = packing.walls.size(); w-- > 0;)
+    if (falls && packing.walls[w].kind == WallKind::plane && wall_axis(packing.walls[w], packing.dimension) == 1)
+      return &packing.walls[w];
   for (std::size_t w = packing.walls.size(); w-- > 0;)
     if (packing.walls[w].kind != WallKind::cylinder) return &packing.walls[w];
   return nullptr;

@@ -86,6 +86,13 @@ class BoxWriter {
     stage.kind == StageKind::steps ? climb() : compress(stage.to, frames_of_compression());
   }
 
+  /// A run that no frame was asked of has its last instant.
+  void finish() {
+    if (!table.plan.frames.empty() || table.legs.empty()) return;
+    table.plan.frames.push_back({name_, decimal(reached_), clock_known_ ? table.plan.steps : -1, false});
+    table.places.push_back({table.legs.size() - 1, table.legs.back().steps});
+  }
+
  private:
   bool at_start() const { return table.legs.empty(); }
   /// Frames or steps are counted from where the stage begins.
@@ -155,8 +162,25 @@ class BoxWriter {
 
   void add_frame(double rho, std::int64_t offset, bool relaxed) {
     const bool known = clock_known_ && !relaxed;
+    if (!relaxed && !table.places.empty() && table.places.back().leg == table.legs.size() &&
+        table.places.back().offset == offset)
+      refuse_one_step(rho);
     table.plan.frames.push_back({name_, decimal(rho), known ? table.plan.steps + offset : -1, relaxed});
     table.places.push_back({table.legs.size(), offset});
+  }
+
+  [[noreturn]] void refuse_one_step(double rho) const {
+    const double rise = rho - box_.packing_fraction(box_.length(rho) + 2 * stage_->speed * dt_);
+    const double from = std::min(table.plan.frames.back().packing_fraction, reached_);
+    const auto most = static_cast<std::int64_t>((stage_->to - from) / (2 * rise)) + 1;
+    throw usage_error(
+        "stage." + name_ + ".frames: those at " + fmt::format("{:.6g}", table.plan.frames.back().packing_fraction) +
+            " and " + fmt::format("{:.6g}", rho) + " fall into one time step, in which the packing fraction rises by " +
+            fmt::format("{:.2g}", rise),
+        {},
+        fmt::format("frames = {} or fewer, speed = {:.1g}, or a shorter integrator.step",
+                    std::max<std::int64_t>(most, 2),
+                    stage_->speed * (rho - table.plan.frames.back().packing_fraction) / (2 * rise)));
   }
 
   static constexpr double balanced = 0.01;  ///< unbalanced part of a packing at rest
@@ -230,10 +254,27 @@ class ContainerWriter {
   bool clock_known_ = true;
 };
 
+/// Neighbours are looked for in cells a little wider than the largest grain; across a periodic box there are three.
+void check_width(const SystemOptions& system, const BoxMeasure& box, double largest) {
+  constexpr double thin = 0.01, thick = 0.3;  // what a cell is wider, by the speed of the grains
+  double to = 0;
+  for (const StageOptions& stage : system.stages)
+    if (stage.kind == StageKind::compress || stage.kind == StageKind::steps) to = std::max(to, stage.to);
+  if (to == 0 || box.length(to) >= 3 * (largest + thin)) return;
+  const double count = static_cast<double>(system.grains.count) *
+                       std::pow(3 * (largest + thick) / box.length(to), static_cast<double>(system.domain.dimension));
+  throw usage_error(
+      fmt::format("grains.count = {}: the periodic box is {:.3g} d wide at packing fraction {}, less than "
+                  "three of the largest grains ({:.3g} d), so that one could touch another on both sides",
+                  system.grains.count, box.length(to), to, largest),
+      {}, fmt::format("grains.count = {:.0f}, or walls", std::ceil(count)));
+}
+
 template <class Writer>
 Timetable write_all(Writer writer, const SystemOptions& system) {
   writer.table.plan.bodies = system.grains.count;
   for (std::size_t s = 0; s < system.stages.size(); ++s) writer.write(system.stages[s], stage_name(system, s));
+  if constexpr (requires { writer.finish(); }) writer.finish();
   return writer.table;
 }
 
@@ -244,7 +285,11 @@ Timetable timetable(const SystemOptions& system, const TaskKey& key) {
     throw usage_error("the study has no stage", {}, "add a [[stage]] table, e.g. kind = \"compress\", to = 0.9");
   if (is_container(system.domain.walls))
     return write_all(ContainerWriter(system, cluster_room(system, key).height), system);
-  return write_all(BoxWriter(start_box(system, draw_diameters(system.grains, key)), system), system);
+  const std::vector<double> diameters = draw_diameters(system.grains, key);
+  const StartBox box = start_box(system, diameters);
+  if (system.domain.walls == WallModel::periodic)
+    check_width(system, box.measure, *std::max_element(diameters.begin(), diameters.end()));
+  return write_all(BoxWriter(box, system), system);
 }
 
 Plan plan(const SystemOptions& system, const TaskKey& key) { return timetable(system, key).plan; }

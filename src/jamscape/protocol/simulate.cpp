@@ -10,6 +10,7 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/flush_to_zero.hpp"
 #include "jamscape/dem/parts.hpp"
+#include "jamscape/protocol/ledger.hpp"
 #include "jamscape/protocol/plan.hpp"
 #include "jamscape/protocol/relaxation.hpp"
 #include "jamscape/protocol/scene.hpp"
@@ -17,9 +18,6 @@
 
 namespace jam {
 namespace {
-
-/// Part of the energy turned over by which the ledger may be off; first order in the step, below .03 at S1's.
-constexpr double largest_ledger_error = 0.25;
 
 template <class Scene>
 class Run {
@@ -30,6 +28,15 @@ class Run {
   }
 
   Outcome go(const Archive* from) {
+    try {
+      return run(from);
+    } catch (const Diverged& error) {
+      throw Diverged(with_cause(error.what()));
+    }
+  }
+
+ private:
+  Outcome run(const Archive* from) {
     from ? resume(*from) : begin_leg(0);
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds between_looks{250};
@@ -60,7 +67,21 @@ class Run {
     }
   }
 
- private:
+  /// The engine takes a long time step for the cause; grains that have no room left are another.
+  std::string with_cause(const std::string& what) const {
+    if (is_container(system_.domain.walls)) return what;
+    const double filled = scene_.packing_fraction_plain(), room = system_.domain.dimension == 2 ? 1.0 : 0.78;
+    const std::size_t likely = what.find("; likely ");
+    if (filled <= room || likely == std::string::npos) return what;
+    return what.substr(0, likely) +
+           fmt::format(
+               "; the grains truly fill {:.3g} of the box, more than there is room for, where the packing fraction "
+               "by domain.area = \"{}\" is {:.3g}: {}",
+               filled, system_.domain.area == AreaConvention::nominal ? "nominal" : "actual", scene_.packing_fraction(),
+               system_.domain.area == AreaConvention::nominal ? "domain.area = \"actual\", or a smaller stage.to"
+                                                              : "a smaller stage.to");
+  }
+
   void begin_leg(std::size_t leg) {
     enter_leg(leg, engine_.step());
     if (leg < table_.legs.size()) scene_.begin(table_.legs[leg]);
@@ -153,20 +174,17 @@ class Run {
   }
 
   /// Throws Diverged where the integrator makes energy: long before grains fly apart, and where they never do because
-  /// friction caps the forces that a dashpot too stiff for the time step feeds back. Hertz laws only: dense frictional
-  /// runs of S1 with Gear drift too (theory sec. 2.5) and are left to the column ledger_sum.
+  /// friction caps the forces that a dashpot too stiff for the time step feeds back.
   void check_ledger(const EnergyLedger& e) const {
-    if (!hertzian(system_.contact.law)) return;
-    const double made = std::abs(e.sum() - start_energy_);
-    double fastest = 0;  // from rest, the first touch turns over next to nothing
-    for (const Leg& leg : table_.legs) fastest = std::max(fastest, leg.speed);
-    const double carried = 0.5 * static_cast<double>(system_.grains.count) * fastest * fastest;
-    if (made <= largest_ledger_error * (e.turned_over() + std::max(start_energy_, carried))) return;
+    const double error = ledger_error(e.sum(), e.turned_over(), ledger_start_);
+    if (!(error > hooks_.largest_ledger_error)) return;
     throw Diverged(fmt::format(
-        "step {}: the energy ledger is off by {:.3g} where {:.3g} changed hands, so the integrator makes energy: "
-        "integrator.step = {} is too long for the stiffness or the damping at this compression; likely half of it will "
-        "do",
-        engine_.step(), made, e.turned_over(), system_.integrator.step));
+        "step {}: the energy ledger is off by {:.3g} where {:.3g} was turned over, so the integrator makes or loses "
+        "energy: integrator.step = {} is too long for the stiffness, the damping or the friction at this compression; "
+        "half of it may do{}, and study.ledger = \"open\" goes on with every such frame marked",
+        engine_.step(), std::abs(e.sum() - ledger_start_.energy), ledger_start_.scale + e.turned_over(),
+        system_.integrator.step,
+        system_.integrator.scheme == Scheme::verlet ? "" : ", or integrator.scheme = \"verlet\""));
   }
 
   void deliver_frame(bool summed) {
@@ -216,7 +234,7 @@ class Run {
   Timetable table_;
   Scene scene_;
   decltype(std::declval<Scene&>().engine()) engine_ = scene_.engine();
-  double start_energy_ = engine_.kinetic_energy();
+  LedgerStart ledger_start_ = ledger_start(system_, engine_.kinetic_energy());
   std::size_t next_frame_ = 0, leg_ = 0;
   std::int64_t leg_begin_ = 0;
   Relaxation relaxation_;

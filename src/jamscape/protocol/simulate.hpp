@@ -69,6 +69,8 @@ struct Hooks {
   int threads = 1;
   /// Steps between two looks at stop, checkpoint_due and progress; 0: by the clock, some times a second.
   std::int64_t look_every = 0;
+  /// A frame whose ledger_error (protocol/ledger.hpp) is above this ends the run as diverged.
+  double largest_ledger_error = 0.1;
   /// Every frame not taken before the checkpoint started from, in order; `index` counts from 0 over the whole plan.
   std::function<void(std::size_t index, const Packing&)> frame;
   /// Some times a second.

@@ -80,6 +80,11 @@ Json frames_block(const Results& results) {
       system["unrelaxed"] = Json::array();
       for (const auto& [value, frame] : by_rho) system["unrelaxed"].push_back(unrelaxed_runs(relaxed, frame));
     }
+    if (const auto& marked = results.marks[s].frames; !marked.empty()) {
+      system["marked"] = Json::array();
+      for (const auto& [value, frame] : by_rho)
+        system["marked"].push_back(marked.contains(frame) ? marked.at(frame) : 0);
+    }
     systems.push_back(std::move(system));
   }
   return any ? Json{{"systems", std::move(systems)}} : Json();

@@ -54,6 +54,14 @@ Json relaxations_json(const std::map<std::int64_t, RelaxationCount>& frames) {
   return {{"fluctuation", sum.fluctuation}, {"energy", sum.energy}, {"budget", sum.budget}};
 }
 
+/// Frames whose energy ledger is off, over all realisations; null where there are none.
+Json ledger_json(const Mark& mark) {
+  if (mark.frames.empty()) return nullptr;
+  std::int64_t frames = 0;
+  for (const auto& [frame, runs] : mark.frames) frames += runs;
+  return {{"frames", frames}, {"from", rounded(mark.from, 6)}, {"worst", rounded(mark.worst, 3)}};
+}
+
 }  // namespace
 
 Json study_block(const Results& results) {
@@ -80,7 +88,8 @@ Json study_block(const Results& results) {
                        {"realisations", done[k]},
                        {"planned", study.info.realisations},
                        {"scales", scales_json(study.systems[k].scales)},
-                       {"relaxations", relaxations_json(results.relaxations[k])}});
+                       {"relaxations", relaxations_json(results.relaxations[k])},
+                       {"ledger", ledger_json(results.marks[k])}});
   }
   return {{"title", study.info.title.empty() ? study.info.name : study.info.title},
           {"name", study.info.name},
@@ -88,6 +97,7 @@ Json study_block(const Results& results) {
           {"revision", results.commit},
           {"seed", std::to_string(study.info.seed)},
           {"swept", varied},
+          {"ledger", {{"mark", rounded(study.info.ledger_mark, 6)}, {"open", study.info.ledger == LedgerRule::open}}},
           {"measure",
            {{"force", std::string(EnumNames<EdgeForce>::values[static_cast<std::size_t>(study.measure.force)].second)},
             {"clamp", rounded(study.measure.clamp)},

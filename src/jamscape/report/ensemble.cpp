@@ -21,8 +21,8 @@ std::vector<SystemRows> ensemble_rows(const Results& results, const Table& table
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const int system = results.system(name[k]);
     if (system < 0) continue;
-    const auto& relaxed = results.relaxations[static_cast<std::size_t>(system)];
-    if (!relaxed.empty() && !relaxed.contains(static_cast<std::int64_t>(frame[k]))) continue;
+    const auto& states = results.states[static_cast<std::size_t>(system)];
+    if (!states.empty() && !states.contains(static_cast<std::int64_t>(frame[k]))) continue;
     SystemRows& rows = systems[static_cast<std::size_t>(system)];
     rows.realisations = std::max(rows.realisations, static_cast<std::int64_t>(n[k]));
     FrameRows& at = rows.frames[static_cast<std::int64_t>(frame[k])];

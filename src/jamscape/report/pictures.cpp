@@ -40,9 +40,9 @@ std::vector<PictureFrame> all_frames(const Results& results, const Task& task, c
     }
     return frames;
   }
-  const auto& relaxed = results.relaxations[task.system];
+  const auto& states = results.states[task.system];
   for (std::size_t k = 0; k < task.plan.frames.size(); ++k)
-    if (relaxed.empty() || relaxed.contains(static_cast<std::int64_t>(k)))
+    if (states.empty() || states.contains(static_cast<std::int64_t>(k)))
       frames.push_back({task.plan.frames[k].packing_fraction, stored.value()[k], false});
   std::stable_sort(frames.begin(), frames.end(), [](const auto& a, const auto& b) { return a.rho < b.rho; });
   return frames;

@@ -27,13 +27,18 @@ Results open_results(const std::filesystem::path& folder) {
     throw data_error("there is no study in this folder", folder.string(),
                      "name the folder that `jamscape run` printed");
   const std::string text = read_text(file);
-  Results results{folder, ResultPlaces(folder), read_study_text(text, file.string()), {}, {}, {}};
+  Results results{folder, ResultPlaces(folder), read_study_text(text, file.string()), {}, {}, {}, {}, {}};
   const toml::table document = toml::parse(text, file.string());
   results.version = document["program"]["version"].value_or(std::string());
   results.commit = document["program"]["commit"].value_or(std::string());
   results.relaxations.resize(results.study.systems.size());
-  if (const auto frames = results.table("tables/frames.csv"))
+  results.states.resize(results.study.systems.size());
+  results.marks.resize(results.study.systems.size());
+  if (const auto frames = results.table("tables/frames.csv")) {
     results.relaxations = count_relaxations(results.study, *frames);
+    results.states = frames_of_curves(results.study, *frames);
+    results.marks = count_marks(results.study, *frames);
+  }
   return results;
 }
 

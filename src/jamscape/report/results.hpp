@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jamscape/base/table.hpp"
+#include "jamscape/report/marks.hpp"
 #include "jamscape/report/relaxation.hpp"
 #include "jamscape/study/damage.hpp"
 #include "jamscape/study/study.hpp"
@@ -20,6 +21,8 @@ struct Results {
   Study study;
   std::string version, commit;  ///< of the program that wrote the results; empty where unknown
   Relaxations relaxations;      ///< per system; all empty where the study relaxes nothing
+  FrameSets states;             ///< per system, the frames curves are made of; empty where all are
+  Marks marks;                  ///< per system, frames whose energy ledger is off
   std::vector<LeftOut> left_out = {};
 
   /// A table below the folder, e.g. "ensemble/frames.csv"; nothing when there is no such file.

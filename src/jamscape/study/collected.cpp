@@ -89,6 +89,7 @@ std::map<std::uint64_t, CollectedTask> read_collected(const fs::path& folder, co
   take_frames(frames, tasks);
   take_rows(frames, instant_measure(), tasks);
   take_rows(frames, relaxation_measure(), tasks);
+  take_rows(frames, ledger_error_measure(), tasks);
   for (const Measure* m : measures) {
     const fs::path own = folder / fmt::format("{}.{}.csv.gz", system, m->name);
     if (m->rows == Rows::frame)

@@ -9,6 +9,7 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/protocol/relaxation.hpp"
 #include "jamscape/stats/moments.hpp"
+#include "jamscape/study/ledger.hpp"
 
 namespace jam {
 namespace {
@@ -21,7 +22,8 @@ std::vector<DoneTask> find_simulated(const std::vector<Task>& tasks, const Resul
     TaskFolder folder = folder_with_rows(places, task.hash, measures);
     if (is_left_out(left_out, task.hash) || !has_all_frames(folder, task.plan) || !has_rows(folder, measures)) continue;
     std::vector<std::size_t> stored = stored_frames(RunFile(folder.run_file(), Look::structure), task.plan).value();
-    done.push_back({&task, std::move(folder), task.plan.frames, std::move(stored)});
+    done.push_back(
+        {.task = &task, .folder = std::move(folder), .frames = task.plan.frames, .stored = std::move(stored)});
   }
   return done;
 }
@@ -40,7 +42,11 @@ std::vector<DoneTask> find_collected(const Study& study, const std::vector<Task>
     std::vector<std::size_t> stored(at->second.frames.size());
     for (std::size_t f = 0; f < stored.size(); ++f) stored[f] = f;
     const auto rows = std::make_shared<CollectedTask>(std::move(at->second));
-    done.push_back({&task, TaskFolder(results, task.hash), rows->frames, std::move(stored), rows});
+    done.push_back({.task = &task,
+                    .folder = TaskFolder(results, task.hash),
+                    .frames = rows->frames,
+                    .stored = std::move(stored),
+                    .collected = rows});
   }
   return done;
 }
@@ -65,6 +71,11 @@ void set_reached_fractions(const Study& study, std::vector<DoneTask>& done) {
   }
 }
 
+/// Does a frame belong in means beside those of the first realisation?
+bool counts(const DoneTask& d, const DoneTask& first, std::size_t f) {
+  return !d.left_out[f] && !(std::abs(d.frames[f].packing_fraction - first.frames[f].packing_fraction) > 1e-6);
+}
+
 }  // namespace
 
 TaskFolder folder_with_rows(const ResultPlaces& places, const std::string& hash,
@@ -79,6 +90,13 @@ std::vector<DoneTask> find_done(const Study& study, const std::vector<Task>& tas
   std::vector<DoneTask> done = is_collected(places.results) ? find_collected(study, tasks, places.results, chosen)
                                                             : find_simulated(tasks, places, left_out, chosen);
   set_reached_fractions(study, done);
+  for (DoneTask& d : done) {
+    d.ledger_error = ledger_errors(study, d);
+    for (const double error : d.ledger_error) {
+      d.marked.push_back(error > study.info.ledger_mark);
+      d.left_out.push_back(d.marked.back() && study.info.ledger == LedgerRule::closed);
+    }
+  }
   return done;
 }
 
@@ -120,14 +138,6 @@ bool relaxes(const Study& study) {
   return false;
 }
 
-std::vector<std::size_t> FrameSeries::states() const {
-  const bool any = std::any_of(relaxed.begin(), relaxed.end(), [](bool r) { return r; });
-  std::vector<std::size_t> kept;
-  for (std::size_t f = 0; f < target.size(); ++f)
-    if (!any || relaxed[f]) kept.push_back(f);
-  return kept;
-}
-
 const std::vector<std::vector<double>>* FrameSeries::find(std::string_view name) const {
   const auto at = std::find(quantity.begin(), quantity.end(), name);
   return at == quantity.end() ? nullptr : &value[static_cast<std::size_t>(at - quantity.begin())];
@@ -153,8 +163,13 @@ FrameSeries read_frame_series(const std::vector<const DoneTask*>& done, const st
   std::size_t frames = done.front()->stored.size();
   for (const DoneTask* d : done) frames = std::min(frames, d->stored.size());
   for (std::size_t f = 0; f < frames; ++f) {
-    series.target.push_back(done.front()->frames[f].packing_fraction);
-    series.relaxed.push_back(done.front()->frames[f].relaxed);
+    const PlannedFrame& frame = done.front()->frames[f];
+    series.target.push_back(frame.packing_fraction);
+    series.kinds.push_back({frame.stage, frame.packing_fraction, frame.relaxed});
+    const auto out = [f](const DoneTask* d) { return d->left_out[f]; };
+    series.marked.push_back(static_cast<std::size_t>(
+        std::count_if(done.begin(), done.end(), [f](const DoneTask* d) { return d->marked[f]; })));
+    series.left_out.push_back(std::any_of(done.begin(), done.end(), out));
   }
   for (const DoneTask* d : done) {
     std::size_t q = 0;
@@ -163,7 +178,8 @@ FrameSeries read_frame_series(const std::vector<const DoneTask*>& done, const st
       for (std::size_t c = 0; c < m->columns.size(); ++c) {
         if (m->columns[c].name == "step" || m->columns[c].name == "time") continue;
         std::vector<double> values;
-        for (std::size_t f = 0; f < frames; ++f) values.push_back(rows[f].at(0).at(c));
+        for (std::size_t f = 0; f < frames; ++f)
+          values.push_back(counts(*d, *done.front(), f) ? rows[f].at(0).at(c) : std::nan(""));
         series.value[q++].push_back(std::move(values));
       }
     }

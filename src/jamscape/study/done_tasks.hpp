@@ -11,6 +11,7 @@
 #include "jamscape/observe/measure.hpp"
 #include "jamscape/study/collected.hpp"
 #include "jamscape/study/measure_task.hpp"
+#include "jamscape/study/states.hpp"
 #include "jamscape/study/study.hpp"
 #include "jamscape/study/task.hpp"
 #include "jamscape/study/task_folder.hpp"
@@ -21,8 +22,11 @@ namespace jam {
 struct DoneTask {
   const Task* task = nullptr;
   TaskFolder folder;
-  std::vector<PlannedFrame> frames;  ///< those of a container have the mean packing fraction reached
-  std::vector<std::size_t> stored;   ///< index of each frame in run.h5 and in the cached rows
+  std::vector<PlannedFrame> frames;       ///< those of a container have the mean packing fraction reached
+  std::vector<std::size_t> stored;        ///< index of each frame in run.h5 and in the cached rows
+  std::vector<double> ledger_error = {};  ///< of each frame (ledger.hpp); NaN where unknown
+  std::vector<bool> marked = {};          ///< above study.ledger_mark
+  std::vector<bool> left_out = {};        ///< marked, in a study whose means take no such frame
   std::shared_ptr<const CollectedTask> collected = nullptr;  ///< in place of the folder, where tables are all there is
 };
 
@@ -50,20 +54,25 @@ bool relaxes(const Study& study);
 /// Quantities of one row a frame, of all realisations of one system.
 struct FrameSeries {
   std::vector<double> target;         ///< planned packing fraction of each frame; in a container the mean reached
-  std::vector<bool> relaxed;          ///< taken after a relaxation
+  std::vector<FrameKind> kinds;       ///< stage, packing fraction, whether relaxed
   std::vector<std::string> quantity;  ///< packing_fraction, packing_fraction_plain, the measures' columns, and where
                                       ///< frames are relaxed `not_relaxed`: 1 where that ran out of its budget
   std::vector<Averaging> averaging;   ///< of each quantity
-  std::vector<std::vector<std::vector<double>>> value;  ///< [quantity][realisation][frame]
+  std::vector<std::vector<std::vector<double>>> value;  ///< [quantity][realisation][frame]; NaN where left out
+  std::vector<std::size_t> marked;                      ///< of each frame, how many realisations have it marked
+  std::vector<bool> left_out;                           ///< of each frame, whether a realisation is left out
   std::size_t realisations = 0;
 
   /// [realisation][frame], or nullptr for a quantity that was not measured.
   const std::vector<std::vector<double>>* find(std::string_view name) const;
-  /// Indices of the frames that curves over the packing fraction are made of: the relaxed ones where there are any.
-  std::vector<std::size_t> states() const;
+  /// Indices of the frames that curves over the packing fraction are made of.
+  std::vector<std::size_t> states() const { return find_states(kinds).frames; }
+  /// True where those are relaxed.
+  bool relaxed() const { return find_states(kinds).relaxed; }
 };
 
-/// Frames that not all realisations have are left out. Throws a data error for damaged rows.
+/// Frames that not all realisations have are left out, and of realisations whose frames lie elsewhere than those of the
+/// first (tables of earlier versions) the values are NaN. Throws a data error for damaged rows.
 FrameSeries read_frame_series(const std::vector<const DoneTask*>& done, const std::vector<const Measure*>& measures);
 
 /// The rows of a measure with several rows a frame: [frame][row][column], without the frame column.

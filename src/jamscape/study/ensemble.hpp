@@ -1,11 +1,12 @@
 // DIR/ensemble/*.csv: means over the realisations of a system, in long form:
 //
 //   system, <options that differ between systems>, frame, packing_fraction_target, [abscissae], quantity, n, mean, sd,
-//   se
+//   se, marked
 //
 // for frames.csv (one row a frame, all its quantities) and for every averaged measure with several rows a frame; pooled
 // ratios of a measure follow its columns. Each column says how it is averaged (averaging.hpp); n counts the values
-// behind a mean.
+// behind a mean. `marked` counts the realisations whose frame is marked (ledger.hpp): they are not among the n, or they
+// are, where the study says ledger = "open".
 #pragma once
 
 #include <filesystem>

@@ -114,6 +114,32 @@ const Measure& instant_measure() {
   return measure;
 }
 
+const Measure& ledger_measure() {
+  static const Measure measure{.name = "ledger",
+                               .title = "energy ledger",
+                               .formula = "",
+                               .source = "",
+                               .columns = {{"ledger_sum", "", ""}, {"turned_over", "", ""}},
+                               .evaluate = [](const Snapshot& snapshot) {
+                                 const EnergyLedger& e = snapshot.packing().energy;
+                                 Table table;
+                                 table.add("ledger_sum", std::vector<double>{e.sum()});
+                                 table.add("turned_over", std::vector<double>{e.turned_over()});
+                                 return table;
+                               }};
+  return measure;
+}
+
+const Measure& ledger_error_measure() {
+  static const Measure measure{.name = "ledger_error",
+                               .title = "how far the ledger is off",
+                               .formula = "",
+                               .source = "",
+                               .columns = {{"ledger_error", "", ""}},
+                               .evaluate = {}};
+  return measure;
+}
+
 const Measure& relaxation_measure() {
   static const Measure measure{.name = "relaxation",
                                .title = "what ended the relaxation",
@@ -136,7 +162,7 @@ MeasureOptions measure_options(const Study& study, std::size_t system) {
 
 std::size_t measure_task(const TaskFolder& folder, const std::vector<const Measure*>& wanted,
                          const MeasureOptions& options, Remeasure what, const std::function<bool()>& stop) {
-  std::vector<const Measure*> measures = {&instant_measure()};
+  std::vector<const Measure*> measures = {&instant_measure(), &ledger_measure()};
   measures.insert(measures.end(), wanted.begin(), wanted.end());
   const RunFile run(folder.run_file(), Look::structure);
   const auto relaxed = [](const std::string& relaxation) { return !relaxation.empty(); };

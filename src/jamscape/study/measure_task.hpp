@@ -19,6 +19,10 @@ std::vector<const Measure*> chosen_measures(const Study& study);
 
 /// What the leading columns of the tables need: step, time and the two packing fractions. Taken with every measure.
 const Measure& instant_measure();
+/// The energy ledger of a frame, from which it is marked (ledger.hpp). Taken with every measure.
+const Measure& ledger_measure();
+/// The same in tables that are all there is: `ledger_error` itself.
+const Measure& ledger_error_measure();
 /// What ended the relaxation before a frame, as text; taken where frames follow relaxations.
 const Measure& relaxation_measure();
 

@@ -37,7 +37,7 @@ Histograms histograms(const std::vector<const DoneTask*>& done, const std::vecto
   const std::size_t a = column(**at, over), b = column(**at, under);
   for (const DoneTask* d : done) {
     const FrameRows rows = read_frame_rows(*d, **at);
-    if (frame >= rows.size() || rows[frame].empty()) continue;
+    if (frame >= rows.size() || rows[frame].empty() || d->left_out[frame]) continue;
     std::vector<double> centre, top, bottom;
     for (const std::vector<double>& row : rows[frame])
       centre.push_back(row[0]), top.push_back(row[a]), bottom.push_back(row[b]);

@@ -137,7 +137,7 @@ std::vector<Reader::Run> Reader::runs_of(const Measure& measure, std::size_t col
     for (const std::size_t f : states) {
       State state{done_[system][r]->frames[f].packing_fraction, {}, {}};
       for (const std::vector<double>& row : at->second[r][f]) state.x.push_back(row[0]), state.y.push_back(row[column]);
-      if (!state.x.empty()) runs.back().push_back(std::move(state));
+      if (!state.x.empty() && !done_[system][r]->left_out[f]) runs.back().push_back(std::move(state));
     }
   }
   return runs;

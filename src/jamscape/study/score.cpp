@@ -111,6 +111,10 @@ bool concerns(const Target& target, const Study& study) {
 std::vector<Score> score_targets(const std::vector<Target>& targets, const Study& study,
                                  const std::vector<DoneTask>& done) {
   Reader reader(study, done);
+  std::vector<bool> takes_marked(study.systems.size(), false);
+  for (const DoneTask& d : done)
+    for (std::size_t f = 0; f < d.marked.size(); ++f)
+      if (d.marked[f] && !d.left_out[f]) takes_marked[d.task->system] = true;
   std::vector<Score> scores;
   for (const Target& target : targets) {
     for (std::size_t a = 0; a < study.systems.size(); ++a) {
@@ -122,6 +126,10 @@ std::vector<Score> score_targets(const std::vector<Target>& targets, const Study
             two ? fmt::format("{} {} {}", study.systems[a].name, target.is_order() ? ">" : "=", study.systems[b].name)
                 : study.systems[a].name;
         scores.push_back(judge(target, reader.read(target.left, a), reader.read(target.right, b), systems));
+        if (takes_marked[a] || takes_marked[b]) {
+          std::string& note = scores.back().note;
+          note += std::string(note.empty() ? "" : "; ") + "marked frames taken in";
+        }
       }
     }
   }

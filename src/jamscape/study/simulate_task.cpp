@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -71,6 +72,8 @@ Outcome simulate_from(const Study& study, const Task& task, const TaskFolder& fo
   engine.threads = hooks.threads;
   engine.progress = hooks.progress;
   engine.stop = hooks.stop;
+  engine.largest_ledger_error =
+      study.info.ledger == LedgerRule::open ? std::numeric_limits<double>::infinity() : study.info.ledger_stop;
   engine.checkpoint_due = [&] {
     return std::chrono::duration<double>(Clock::now() - saved).count() >= hooks.checkpoint_interval;
   };
@@ -134,7 +137,8 @@ Outcome simulate_rest(const Study& study, const Task& task, const TaskFolder& fo
 
 std::string task_text(const Study& study, const Task& task) {
   Study one;
-  one.info = {.name = task.hash, .title = "", .seed = study.info.seed, .realisations = 1, .targets = ""};
+  one.info = study.info;
+  one.info.name = task.hash, one.info.title.clear(), one.info.realisations = 1, one.info.targets.clear();
   one.base = study.systems[task.system].options;
   one.units = study.systems[task.system].units;
   one.systems = {{task.hash, one.base, one.units, study.systems[task.system].scales, {}}};

@@ -17,6 +17,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "jamscape/base/schema.hpp"
@@ -26,12 +27,23 @@
 
 namespace jam {
 
+/// What becomes of simulations that make or lose energy.
+enum class LedgerRule { closed, open };
+template <>
+struct EnumNames<LedgerRule> {
+  static constexpr std::pair<LedgerRule, std::string_view> values[] = {{LedgerRule::closed, "closed"},
+                                                                       {LedgerRule::open, "open"}};
+};
+
 struct StudyInfo {
   std::string name;
   std::string title;
   std::int64_t seed = 1;
   std::int64_t realisations = 1;
   std::string targets;
+  LedgerRule ledger = LedgerRule::closed;
+  double ledger_mark = 0.01;
+  double ledger_stop = 0.1;
 
   template <class V>
   void describe(V& v) {
@@ -41,6 +53,24 @@ struct StudyInfo {
     v.option("realisations", realisations,
              {.text = "number of realisations of each system; more may be asked for later", .min = 1, .max = 1e6});
     v.option("targets", targets, {.text = "name of the published values that `jamscape score` compares with"});
+    v.option("ledger", ledger,
+             {.text = "closed: a run whose energy ledger is off by more than ledger_stop ends as failed, and marked "
+                      "frames enter no mean; open: runs go on, and means take marked frames in, with their number "
+                      "beside them (`marked`)",
+              .source = "theory 2.5"});
+    v.option(
+        "ledger_mark", ledger_mark,
+        {.text =
+             "a frame is marked where |ledger_sum - E| is above this part of what was turned over, E + |wall_work| + "
+             "|gravity_work| + |damped| + |rubbed|; E is the kinetic energy of the start",
+         .min = 0,
+         .max = 1e6,
+         .source = "theory 2.5"});
+    v.option("ledger_stop", ledger_stop,
+             {.text = "closed: the part of what was turned over at which a run ends as failed",
+              .min = 0,
+              .max = 1e6,
+              .source = "theory 2.5"});
   }
 };
 
@@ -63,7 +93,8 @@ struct MeasureChoice {
 
   template <class V>
   void describe(V& v) {
-    v.option("list", list, {.text = "measures to take; empty: all"});
+    v.option("list", list,
+             {.text = "measures to take, those of several rows at every frame unless rows_every is given; empty: all"});
   }
 };
 

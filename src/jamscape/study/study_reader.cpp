@@ -33,7 +33,8 @@ std::vector<SystemText> sweep(std::vector<SystemText> systems, const std::vector
       throw usage_error(fmt::format("'sweep.{}' must be a list of values", axis.key), axis.place,
                         fmt::format("{} = [0.1, 0.2]", axis.key));
     std::vector<SystemText> product;
-    for (const SystemText& system : systems)
+    for (const SystemText& system : systems) {
+      std::set<std::string> given;
       for (const Written& value : *values) {
         SystemText next = system;
         const Leaf leaf{axis.key, value, axis.at, value.place};
@@ -42,10 +43,15 @@ std::vector<SystemText> sweep(std::vector<SystemText> systems, const std::vector
         std::vector<Option> options = system_options(made.options);
         for (Option& o : options_of(made.units, "units.")) options.push_back(std::move(o));
         const std::string name = uses[last_part(axis.key)] > 1 ? axis.key : last_part(axis.key);
-        const std::string part = name + "=" + label(find_option(options, leaf));
+        const std::string value_text = label(find_option(options, leaf));
+        if (!given.insert(value_text).second)
+          throw usage_error(fmt::format("'sweep.{}' has the value {} twice", axis.key, value_text), value.place,
+                            "each value once");
+        const std::string part = name + "=" + value_text;
         next.name = named || &axis != &axes.front() ? system.name + "_" + part : part;
         product.push_back(std::move(next));
       }
+    }
     systems = std::move(product);
   }
   return systems;
@@ -127,6 +133,8 @@ class StudyReader {
       assign(find_option(options, leaf), leaf.value, base.scales);
       places_[leaf.key] = leaf.place;
     }
+    // A measure that is asked for by name is taken at every frame, unless the study says otherwise.
+    if (!study_.measures.list.empty() && !places_.contains("measure.rows_every")) study_.measure.rows_every = 0;
   }
 
   void read_systems(const toml::table& document) {

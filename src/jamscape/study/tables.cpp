@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "jamscape/base/error.hpp"
@@ -52,7 +53,10 @@ std::vector<LedTask> lead(const Study& study, const std::vector<DoneTask>& done,
       t.leading.push_back(fmt::format("{},{}{},{},{}{},{},{}{}", csv_field(study.systems[task.system].name),
                                       task.realisation, varied.of_system[task.system], f, csv_field(d.frames[f].stage),
                                       with_relaxation ? "," + relaxation[f] : "", instant.substr(0, fraction),
-                                      d.frames[f].packing_fraction, instant.substr(fraction)));
+                                      d.frames[f].packing_fraction, instant.substr(fraction)) +
+                          (std::isnan(d.ledger_error[f]) ? ",nan"
+                           : d.marked[f]                 ? ",1"
+                                                         : ",0"));
     }
     led.push_back(std::move(t));
   }
@@ -61,14 +65,15 @@ std::vector<LedTask> lead(const Study& study, const std::vector<DoneTask>& done,
 
 std::string leading_header(const Study& study, const VariedColumns& varied) {
   return fmt::format(
-      "system,realisation{},frame,stage{},step,time,packing_fraction_target,packing_fraction,packing_fraction_plain",
+      "system,realisation{},frame,stage{},step,time,packing_fraction_target,packing_fraction,packing_fraction_plain,"
+      "marked",
       varied.header, relaxes(study) ? ",relaxation" : "");
 }
 
 void write_frames_table(const std::vector<LedTask>& done, const std::vector<const Measure*>& per_frame,
                         const std::string& header, const fs::path& path) {
   TableFile file(path);
-  std::string line = header;
+  std::string line = header + ",ledger_error";
   for (const Measure* m : per_frame)
     for (const ColumnInfo& c : m->columns) line += "," + c.name;
   file.add(line + "\n");
@@ -77,7 +82,7 @@ void write_frames_table(const std::vector<LedTask>& done, const std::vector<cons
     std::vector<CachedRows> rows;
     for (const Measure* m : per_frame) rows.push_back(read_rows(d, *m));
     for (std::size_t f = 0; f < d.stored.size(); ++f) {
-      line = led.leading[f];
+      line = fmt::format("{},{}", led.leading[f], d.ledger_error[f]);
       for (std::size_t k = 0; k < per_frame.size(); ++k) {
         const auto& lines = rows[k].lines;
         if (d.stored[f] >= lines.size() || lines[d.stored[f]].size() != 1)
@@ -91,9 +96,11 @@ void write_frames_table(const std::vector<LedTask>& done, const std::vector<cons
   file.finish();
 }
 
-void write_measure_table(const std::vector<LedTask>& done, const Measure& measure, const std::string& header,
+/// False where no frame has rows.
+bool write_measure_table(const std::vector<LedTask>& done, const Measure& measure, const std::string& header,
                          const fs::path& path) {
   TableFile file(path);
+  bool any = false;
   std::string line = header;
   for (const ColumnInfo& c : measure.columns) line += "," + c.name;
   file.add(line + "\n");
@@ -102,10 +109,12 @@ void write_measure_table(const std::vector<LedTask>& done, const Measure& measur
     const CachedRows rows = read_rows(d, measure);
     for (std::size_t f = 0; f < d.stored.size(); ++f) {
       if (d.stored[f] >= rows.lines.size()) continue;
-      for (const std::string& values : rows.lines[d.stored[f]]) file.add(led.leading[f] + "," + values + "\n");
+      for (const std::string& values : rows.lines[d.stored[f]])
+        file.add(led.leading[f] + "," + values + "\n"), any = true;
     }
   }
   file.finish();
+  return any;
 }
 
 }  // namespace
@@ -140,18 +149,20 @@ VariedColumns varied_columns(const Study& study) {
   return varied;
 }
 
-void write_tables(const Study& study, const std::vector<DoneTask>& done_tasks, const fs::path& results) {
+std::vector<std::string> write_tables(const Study& study, const std::vector<DoneTask>& done_tasks,
+                                      const fs::path& results) {
   const VariedColumns varied = varied_columns(study);
   const std::vector<const Measure*> chosen = measured(study, done_tasks);
   const std::vector<LedTask> done = lead(study, done_tasks, varied);
   const std::string header = leading_header(study, varied);
   make_folder(results / "tables");
   std::vector<const Measure*> per_frame;
+  std::vector<std::string> empty;
   for (const Measure* m : chosen)
     if (m->rows == Rows::frame)
       per_frame.push_back(m);
-    else
-      write_measure_table(done, *m, header, results / "tables" / (m->name + ".csv"));
+    else if (!write_measure_table(done, *m, header, results / "tables" / (m->name + ".csv")))
+      empty.push_back(m->name);
   write_frames_table(done, per_frame, header, results / "tables" / "frames.csv");
   for (const Measure& m : measures()) {
     if (m.rows == Rows::frame || std::find(chosen.begin(), chosen.end(), &m) != chosen.end()) continue;
@@ -159,6 +170,7 @@ void write_tables(const Study& study, const std::vector<DoneTask>& done_tasks, c
     fs::remove(results / "tables" / (m.name + ".csv"), ignored);
     fs::remove(results / "ensemble" / (m.name + ".csv"), ignored);
   }
+  return done.empty() ? std::vector<std::string>{} : empty;
 }
 
 }  // namespace jam

@@ -27,6 +27,50 @@ void flatten(const toml::table& table, const std::string& prefix, const std::str
   });
 }
 
+/// What the letters of the trade are called here.
+constexpr std::pair<std::string_view, std::string_view> symbols[] = {{"mu", "friction"},
+                                                                     {"mu_s", "friction"},
+                                                                     {"friction_coefficient", "friction"},
+                                                                     {"e", "restitution"},
+                                                                     {"cor", "restitution"},
+                                                                     {"k", "stiffness"},
+                                                                     {"k_n", "stiffness"},
+                                                                     {"kn", "stiffness"},
+                                                                     {"k_t", "tangential_stiffness"},
+                                                                     {"kt", "tangential_stiffness"},
+                                                                     {"dt", "step"},
+                                                                     {"timestep", "step"},
+                                                                     {"g", "gravity"},
+                                                                     {"n", "count"},
+                                                                     {"N", "count"},
+                                                                     {"phi", "packing_fraction"},
+                                                                     {"rho", "packing_fraction"},
+                                                                     {"r_p", "width"},
+                                                                     {"rp", "width"},
+                                                                     {"polydispersity", "width"},
+                                                                     {"v", "speed"},
+                                                                     {"vc", "speed"},
+                                                                     {"dim", "dimension"},
+                                                                     {"d", "dimension"},
+                                                                     {"seeds", "seed"},
+                                                                     {"runs", "realisations"},
+                                                                     {"realizations", "realisations"}};
+
+/// The known key that is meant by a symbol, or "". The group may be wrong too.
+std::string by_symbol(const std::string& key, const std::vector<std::string>& known) {
+  const std::size_t dot = key.rfind('.');
+  const std::string group = dot == std::string::npos ? "" : key.substr(0, dot + 1);
+  const std::string_view last = std::string_view(key).substr(group.size());
+  for (const auto& [symbol, name] : symbols) {
+    if (symbol != last) continue;
+    const std::string here = group + std::string(name), ending = "." + std::string(name);
+    if (std::find(known.begin(), known.end(), here) != known.end()) return here;
+    for (const std::string& k : known)
+      if (k.ends_with(ending)) return k;
+  }
+  return {};
+}
+
 std::vector<std::string> keys_of(const std::vector<Option>& options) {
   std::vector<std::string> keys;
   for (const Option& o : options) keys.push_back(o.key);
@@ -72,7 +116,10 @@ std::vector<Leaf> leaves_of(const toml::table& table, const std::string& prefix,
 const Option& find_option(const std::vector<Option>& options, const Leaf& leaf) {
   for (const Option& o : options)
     if (o.key == leaf.key) return o;
-  throw_unknown_key(leaf.key, keys_of(options), leaf.place);
+  const std::vector<std::string> known = keys_of(options);
+  if (const std::string meant = by_symbol(leaf.key, known); !meant.empty())
+    throw usage_error(fmt::format("unknown key '{}'", leaf.key), leaf.place, fmt::format("did you mean '{}'?", meant));
+  throw_unknown_key(leaf.key, known, leaf.place);
 }
 
 const toml::array& tables_of(const toml::node& node, const std::string& name, const std::string& file) {

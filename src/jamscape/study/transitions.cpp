@@ -134,7 +134,9 @@ std::vector<Transition> find_jamming(const FrameSeries& series, const Jamming& a
   if (!z || series.realisations == 0 || series.target.empty()) return {};
   const std::vector<std::size_t> states = series.states(), rising = increasing(pick(series.target, states));
   std::vector<std::size_t> kept;
-  for (const std::size_t k : rising) kept.push_back(states[k]);
+  for (const std::size_t k : rising)
+    if (series.left_out.empty() || !series.left_out[states[k]]) kept.push_back(states[k]);
+  if (kept.empty()) return {};
   const std::vector<double> x = pick(series.target, kept);
   const Curves zs = pick(*z, kept);
   std::vector<Transition> found;
@@ -154,7 +156,7 @@ std::vector<Transition> find_jamming(const FrameSeries& series, const Jamming& a
     found.push_back(from_estimate("rho_pressure", crossing_of_mean(x, p, at.pressure)));
     found.push_back(pressure_from_zero(x, p, at));
   }
-  if (std::none_of(series.relaxed.begin(), series.relaxed.end(), [](bool r) { return r; })) return found;
+  if (!series.relaxed()) return found;
   add_jamming("rho_j", "z", x, zs, seed, key, found);
   if (const Curves* backbone = series.find("z_backbone"))
     add_jamming("rho_j_backbone", "z_backbone", x, pick(*backbone, kept), seed, key, found);
@@ -182,13 +184,16 @@ std::vector<std::vector<Transition>> write_transitions(const Study& study, const
   const auto systems = by_system(study, done);
   const std::vector<const Measure*> measures = measured(study, done);
   std::vector<std::vector<Transition>> all;
-  std::string text = "system" + varied.header + ",quantity,n,value,se\n";
+  std::string text = "system" + varied.header + ",quantity,n,value,se,marked\n";
   for (std::size_t s = 0; s < systems.size(); ++s) {
     const FrameSeries series = read_frame_series(systems[s], measures);
     all.push_back(find_transitions(study, s, systems[s], measures, series));
+    std::size_t marked = 0;
+    if (study.info.ledger == LedgerRule::open)
+      for (const std::size_t f : series.states()) marked += series.marked[f];
     for (const Transition& t : all.back())
-      text += fmt::format("{}{},{},{},{},{}\n", csv_field(study.systems[s].name), varied.of_system[s], t.quantity, t.n,
-                          t.value, t.se);
+      text += fmt::format("{}{},{},{},{},{},{}\n", csv_field(study.systems[s].name), varied.of_system[s], t.quantity,
+                          t.n, t.value, t.se, marked);
   }
   make_folder(results / "ensemble");
   write_text(results / "ensemble" / "transitions.csv", text);

@@ -44,6 +44,7 @@ TEST_F(NetworkBlocks, UnrelaxedRealisationsAreCounted) {
 TEST_F(NetworkBlocks, FramesBetweenRelaxationsAreLeftOut) {
   Results results = open_results(folder());
   results.relaxations[0] = {{3, {1, 0, 0}}, {7, {0, 0, 1}}};
+  results.states[0] = {3, 7};
   EXPECT_EQ(frames_block(results)["systems"][0]["rho"].size(), 2u);
   EXPECT_EQ(surfaces_block(results)["systems"][0]["rho"].size(), 2u);
   EXPECT_EQ(choose_pictures(results)[0].all.size(), 2u);

@@ -59,6 +59,17 @@ TEST(Identity, TheKeyOfTheRandomNumbersLeavesSeedAndRealisationToTheirOwnPlaces)
   EXPECT_EQ(b.realisation, 3u);
 }
 
+TEST(Identity, ZeroIsOneNumber) {
+  const auto hash = [](const std::string& zero) {
+    const Study s = read_study_text("[study]\nname = \"one\"\n[grains]\ncount = 16\n[contact]\nfriction = " + zero +
+                                        "\n[[stage]]\nname = \"compress\"\nto = 0.7\nspeed = 1e-2\nframes = 2\n",
+                                    "one.toml");
+    return task_hash(s.systems.at(0).options, 1, 0);
+  };
+  for (const char* zero : {"0.0", "+0.0", "0e0", "-0.0", "-0", "+0", "0.0e-5"})
+    EXPECT_EQ(hash(zero), hash("0")) << zero;
+}
+
 // Results of the built-in studies on people's disks are found by these names. A change here throws them away: it needs
 // a new physics_revision, or an option whose default means "as before".
 TEST(Identity, OfTheBuiltInStudiesIsFixed) {

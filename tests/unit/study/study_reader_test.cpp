@@ -57,6 +57,31 @@ TEST(StudyReader, SweepsMultiplyNamedSystems) {
   EXPECT_EQ(s.systems[2].options.stages[0].to, 0.75);
 }
 
+TEST(StudyReader, AValueGivenTwiceIsSaid) {
+  EXPECT_EQ(complaint("[study]\nname = \"zero\"\n[[stage]]\nto = 0.7\n[sweep]\ncontact.friction = [0.0, -0.0]\n"),
+            "s.toml:6:26 | 'sweep.contact.friction' has the value 0 twice | each value once");
+}
+
+TEST(StudyReader, SymbolsOfTheTradeAreUnderstood) {
+  const auto hint = [](const std::string& line) {
+    const std::string text = complaint("[study]\nname = \"a\"\n[[stage]]\nto = 0.7\n" + line);
+    return text.substr(text.rfind('|') + 2);
+  };
+  EXPECT_EQ(hint("[contact]\nmu = 0.5\n"), "did you mean 'contact.friction'?");
+  EXPECT_EQ(hint("[grains]\nmu = 0.5\n"), "did you mean 'contact.friction'?");
+  EXPECT_EQ(hint("[contact]\ne = 0.5\n"), "did you mean 'contact.restitution'?");
+  EXPECT_EQ(hint("[integrator]\ndt = 0.5\n"), "did you mean 'integrator.step'?");
+  EXPECT_EQ(hint("[grains]\nn = 5\n"), "did you mean 'grains.count'?");
+  EXPECT_EQ(hint("[grains]\nr_p = 0.5\n"), "did you mean 'grains.width'?");
+}
+
+TEST(StudyReader, MeasuresAskedForByNameAreTakenAtEveryFrame) {
+  const std::string stage = "[study]\nname = \"a\"\n[[stage]]\nto = 0.7\n";
+  EXPECT_EQ(read(stage).measure.rows_every, 0.02);
+  EXPECT_EQ(read(stage + "[measure]\nlist = [\"force_distribution\"]\n").measure.rows_every, 0);
+  EXPECT_EQ(read(stage + "[measure]\nlist = [\"force_distribution\"]\nrows_every = 0.1\n").measure.rows_every, 0.1);
+}
+
 TEST(StudyReader, UnknownKeysPointAtThemselves) {
   EXPECT_EQ(complaint("[study]\nname = \"a\"\n[contact]\nfrction = 1\n"),
             "s.toml:4:1 | unknown key 'contact.frction' | did you mean 'contact.friction'?");

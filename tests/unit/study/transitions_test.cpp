@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jamscape/study/states.hpp"
 #include "jamscape/study/transition_kinds.hpp"
 
 namespace jam {
@@ -16,7 +17,7 @@ FrameSeries jumping() {
   s.quantity = {"packing_fraction_plain", "z"};
   s.value.resize(2);
   s.realisations = 3;
-  for (int k = 0; k <= 100; ++k) s.target.push_back(0.7 + 0.002 * k);
+  for (int k = 0; k <= 100; ++k) s.target.push_back(0.7 + 0.002 * k), s.kinds.push_back({"compress", 0.7 + 0.002 * k});
   for (const double jump : {0.80, 0.81, 0.82}) {
     std::vector<double> z, plain;
     for (const double x : s.target) {
@@ -57,6 +58,7 @@ TEST(Transitions, AreTheSameEveryTime) {
 TEST(Transitions, AFrameGivenTwiceDoesNoHarm) {
   FrameSeries s = jumping();
   s.target.insert(s.target.begin() + 50, s.target[50]);
+  s.kinds.insert(s.kinds.begin() + 50, s.kinds[50]);
   for (auto& quantity : s.value)
     for (auto& run : quantity) run.insert(run.begin() + 50, run[50]);
   EXPECT_EQ(get(find_jamming(s, {}, 1, "key"), "rho_c").value, get(find_jamming(jumping(), {}, 1, "key"), "rho_c").value);
@@ -81,7 +83,7 @@ FrameSeries relaxed() {
   for (std::size_t k = 0; k < dense.target.size(); k += 5)
     for (const bool rest : {false, true}) {
       s.target.push_back(dense.target[k]);
-      s.relaxed.push_back(rest);
+      s.kinds.push_back({"steps", dense.target[k], rest});
       for (std::size_t r = 0; r < 3; ++r) {
         const double z = dense.value[1][r][k];
         s.value[0][r].push_back(dense.value[0][r][k]);
@@ -107,6 +109,47 @@ TEST(Transitions, OfRelaxedStatesAreS2s) {
   EXPECT_NEAR(get(t, "z_backbone_above").value, above + 1, 1e-9);
   EXPECT_NEAR(get(t, "rho_p").value, 0.81, 0.011) << "first states with more than 3";
   EXPECT_EQ(get(t, "rho_p").n, 3u);
+}
+
+// A stage that relaxes at the end of a compression adds its state to the curve; it was the whole curve once.
+TEST(Transitions, ARelaxationAtTheEndLeavesThoseOfTheCompression) {
+  FrameSeries s = jumping();
+  s.target.push_back(s.target.back()), s.kinds.push_back({"rest", s.target.back(), true});
+  for (auto& quantity : s.value)
+    for (auto& run : quantity) run.push_back(run.back());
+  const std::vector<Transition> t = find_jamming(s, 1, "key"), before = find_jamming(jumping(), 1, "key");
+  ASSERT_EQ(t.size(), before.size());
+  for (std::size_t k = 0; k < t.size(); ++k) EXPECT_EQ(t[k].value, before[k].value) << t[k].quantity;
+  EXPECT_FALSE(s.relaxed());
+}
+
+TEST(States, AreRelaxedOnesUnlessACompressionHasMore) {
+  using Frames = std::vector<FrameKind>;
+  const auto of = [](const Frames& f) { return find_states(f).frames; };
+  using Indices = std::vector<std::size_t>;
+  const FrameKind a{"compress", 0.7, false}, b{"compress", 0.8, false}, c{"compress", 0.9, false};
+  EXPECT_EQ(of({a, b, c}), (Indices{0, 1, 2}));
+  EXPECT_EQ(of({a, b, c, {"rest", 0.9, true}}), (Indices{0, 1, 2})) << "the same packing fraction";
+  EXPECT_EQ(of({a, b, c, {"rest", 0.91, true}}), (Indices{0, 1, 2, 3}));
+  EXPECT_EQ(of({{"rest", 0.6, true}, a, b, c}), (Indices{0, 1, 2, 3}));
+  EXPECT_EQ(of({{"steps", 0.8, false}, {"steps", 0.8, true}, {"steps", 0.9, false}, {"steps", 0.9, true}}),
+            (Indices{1, 3}));
+  EXPECT_EQ(of({a, b, {"steps", 0.82, true}, {"steps", 0.84, true}, {"steps", 0.86, true}}), (Indices{2, 3, 4}));
+  EXPECT_EQ(of({{"settle", 0.5, false}, {"press", 0.6, false}, {"relax", 0.6, true}}), (Indices{2}));
+  EXPECT_EQ(of({{"settle", 0.5, false}, {"press", 0.6, false}}), (Indices{0, 1}));
+}
+
+// Frames whose ledger is off enter no mean: here the last one, of a single run.
+TEST(Transitions, LeaveFramesOutThatARunHasMarked) {
+  FrameSeries s = jumping();
+  s.left_out.assign(s.target.size(), false);
+  for (std::size_t k = 60; k < s.target.size(); ++k) {  // from .82 on
+    s.left_out[k] = true;
+    for (auto& run : s.value[1]) run[k] = std::nan("");
+  }
+  EXPECT_NEAR(get(find_jamming(s, 1, "key"), "rho_c").value, 0.81, 1e-4);
+  s.left_out.assign(s.target.size(), true);
+  EXPECT_TRUE(find_jamming(s, 1, "key").empty());
 }
 
 TEST(Transitions, ARunThatNeverPercolatesHasNoOnset) {

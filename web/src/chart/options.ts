@@ -25,6 +25,8 @@ export interface Line {
   se?: (number | null)[];
   /** per point, how many realisations were not relaxed; such points are hollow */
   unrelaxed?: number[];
+  /** per point, of how many realisations the energy ledger is off; a cross at the foot of the chart */
+  marked?: number[];
 }
 
 export interface Mark {

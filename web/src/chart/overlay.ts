@@ -61,7 +61,7 @@ export function decoration(options: ChartOptions): uPlot.Plugin {
   };
 }
 
-/** Hollow points where a realisation was not relaxed. */
+/** Hollow points where a realisation was not relaxed, crosses at the foot where its energy ledger is off. */
 export function hollowPoints(lines: () => Line[]): uPlot.Plugin {
   return {
     hooks: {
@@ -82,6 +82,20 @@ export function hollowPoints(lines: () => Line[]): uPlot.Plugin {
             ctx.arc(u.valToPos(line.x[point], "x", true), u.valToPos(value, "y", true), 3.4 * ratio, 0, 2 * Math.PI);
             ctx.fillStyle = "#fff";
             ctx.fill();
+            ctx.strokeStyle = line.colour;
+            ctx.lineWidth = 1.5 * ratio;
+            ctx.stroke();
+          });
+          const foot = top + height - 5 * ratio;
+          line.marked?.forEach((count, point) => {
+            if (!count) return;
+            const x = u.valToPos(line.x[point], "x", true);
+            const arm = 3 * ratio;
+            ctx.beginPath();
+            ctx.moveTo(x - arm, foot - arm);
+            ctx.lineTo(x + arm, foot + arm);
+            ctx.moveTo(x - arm, foot + arm);
+            ctx.lineTo(x + arm, foot - arm);
             ctx.strokeStyle = line.colour;
             ctx.lineWidth = 1.5 * ratio;
             ctx.stroke();
@@ -126,9 +140,11 @@ export function tooltip(options: ChartOptions, lines: () => Line[]): uPlot.Plugi
         const value = at === null ? null : line.y[at];
         if (at === null || value === null) return;
         const count = line.unrelaxed?.[at];
+        const marked = line.marked?.[at];
         rows.push(
           `<tr><td><i class="swatch" style="background:${line.colour}"></i></td><td>${line.label}` +
-            `${count ? ` <span class="what">${count} not relaxed</span>` : ""}</td>` +
+            `${count ? ` <span class="what">${count} not relaxed</span>` : ""}` +
+            `${marked ? ` <span class="what">${marked} with the ledger off</span>` : ""}</td>` +
             `<td>${withError(value, line.se?.[at] ?? null)}</td></tr>`,
         );
       });

@@ -58,7 +58,7 @@ function percolation(context: Context): HTMLElement | null {
   if (!lines.length) return null;
   const estimate = context
     .lines("percolation_estimate")
-    .map((line) => ({ ...line, y: line.y.map((v) => (v !== null && v <= 1 ? v : null)), label: `${line.label}, estimate`, dash: [3, 4], width: 1.3, points: false, se: undefined, unrelaxed: undefined }));
+    .map((line) => ({ ...line, y: line.y.map((v) => (v !== null && v <= 1 ? v : null)), label: `${line.label}, estimate`, dash: [3, 4], width: 1.3, points: false, se: undefined, unrelaxed: undefined, marked: undefined }));
   const panel = context.curves([...lines, ...estimate], {
     title: "<i>N</i><sub>per</sub>/<i>N</i> <span class=\"what\">grains in percolating clusters, <i>F</i><sub>th</sub> = 0</span>",
     marks: context.marks(),

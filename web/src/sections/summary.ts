@@ -63,6 +63,12 @@ function systemsTable(context: Context): HTMLElement[] {
       },
       { head: "not relaxed", cell: notRelaxed },
     );
+  if (study.systems.some((s) => s.ledger))
+    more.push({
+      head: "energy ledger off",
+      cell: ({ ledger: l }: System) =>
+        l ? `<b class="hollow">${l.frames} frames, ×</b> from <i>ρ</i> = ${plain(l.from, 4)}, by up to ${plain(100 * l.worst, 3)} %` : "–",
+    });
   const rest = study.swept.filter((key) => !keys.includes(key));
   if (!rest.length) return [optionsTable(context, keys, more)];
   const all = h("details", "", h("summary", "", `${rest.length} more options that differ`), optionsTable(context, rest, []));
@@ -110,6 +116,16 @@ export const summary: Section = {
     return [
       ...systemsTable(context),
       ...(scales ? [note(scales)] : []),
+      ...(context.data.study.systems.some((s) => s.ledger)
+        ? [
+            note(
+              `The integrator made or lost energy: in the frames counted here, by more than ${plain(100 * (context.data.study.ledger?.mark ?? 0.01), 3)} % of ` +
+                "what was turned over (the kinetic energy of the start, the work of walls and gravity, what dashpots and friction took). " +
+                (context.data.study.ledger?.open ? "Means take them in; crosses" : "They enter no mean; crosses") +
+                " (×) at the foot of the curves show where they lie.",
+            ),
+          ]
+        : []),
       ...(relaxes
         ? [
             note(
