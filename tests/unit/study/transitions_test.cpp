@@ -117,7 +117,7 @@ TEST(Transitions, ARelaxationAtTheEndLeavesThoseOfTheCompression) {
   s.target.push_back(s.target.back()), s.kinds.push_back({"rest", s.target.back(), true});
   for (auto& quantity : s.value)
     for (auto& run : quantity) run.push_back(run.back());
-  const std::vector<Transition> t = find_jamming(s, 1, "key"), before = find_jamming(jumping(), 1, "key");
+  const std::vector<Transition> t = find_jamming(s, {}, 1, "key"), before = find_jamming(jumping(), {}, 1, "key");
   ASSERT_EQ(t.size(), before.size());
   for (std::size_t k = 0; k < t.size(); ++k) EXPECT_EQ(t[k].value, before[k].value) << t[k].quantity;
   EXPECT_FALSE(s.relaxed());
@@ -147,9 +147,9 @@ TEST(Transitions, LeaveFramesOutThatARunHasMarked) {
     s.left_out[k] = true;
     for (auto& run : s.value[1]) run[k] = std::nan("");
   }
-  EXPECT_NEAR(get(find_jamming(s, 1, "key"), "rho_c").value, 0.81, 1e-4);
+  EXPECT_NEAR(get(find_jamming(s, {}, 1, "key"), "rho_c").value, 0.81, 1e-4);
   s.left_out.assign(s.target.size(), true);
-  EXPECT_TRUE(find_jamming(s, 1, "key").empty());
+  EXPECT_TRUE(find_jamming(s, {}, 1, "key").empty());
 }
 
 TEST(Transitions, ARunThatNeverPercolatesHasNoOnset) {
@@ -166,7 +166,7 @@ FrameSeries pressing(double power) {
   s.quantity = {"z", "pressure"};
   s.value.resize(2);
   s.realisations = 3;
-  for (int k = 0; k <= 100; ++k) s.target.push_back(0.7 + 0.002 * k);
+  for (int k = 0; k <= 100; ++k) s.target.push_back(0.7 + 0.002 * k), s.kinds.push_back({"compress", 0.7 + 0.002 * k});
   for (const double jam : {0.80, 0.81, 0.82}) {
     std::vector<double> z, p;
     for (const double x : s.target) {
