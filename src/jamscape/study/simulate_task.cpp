@@ -39,13 +39,16 @@ std::string plan_key(const Plan& plan) {
   return short_hash(text);
 }
 
+/// Without the suggestion, where it is followed already.
+std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
+
 struct Resume {
   Archive state;
   std::size_t frames_done = 0;
 };
 
 /// The checkpoint, if there is one that fits and all frames before it are still there.
-std::optional<Resume> find_checkpoint(const Task& task, const TaskFolder& folder) {
+std::optional<Resume> find_checkpoint(const Task& task, const TaskFolder& folder, const SimulateHooks& hooks) {
   std::error_code ignored;
   if (!fs::exists(folder.checkpoint(), ignored)) return std::nullopt;
   try {
@@ -60,6 +63,7 @@ std::optional<Resume> find_checkpoint(const Task& task, const TaskFolder& folder
     return resume;
   } catch (const std::exception& error) {
     folder.log(nlohmann::json{{"event", "checkpoint unusable"}, {"reason", error.what()}}.dump());
+    if (hooks.warning) hooks.warning(fmt::format("{}\n  the run begins again", first_line(error.what())));
     return std::nullopt;
   }
 }
@@ -124,7 +128,7 @@ std::string damaged_frame(const Task& task, const TaskFolder& folder) {
 /// From the checkpoint, if there is one of use, to the end or until stopped.
 Outcome simulate_rest(const Study& study, const Task& task, const TaskFolder& folder, const SimulateHooks& hooks) {
   make_folder(folder.frames());
-  const std::optional<Resume> resume = find_checkpoint(task, folder);
+  const std::optional<Resume> resume = find_checkpoint(task, folder, hooks);
   if (!resume) {
     folder.discard_partial();
     make_folder(folder.frames());
@@ -161,8 +165,7 @@ Outcome simulate_task(const Study& study, const Task& task, const TaskFolder& fo
     if (stored->verdict == RunCheck::Verdict::not_covered) damage = damaged_content(folder);
     if (!damage.empty()) {
       const fs::path aside = folder.set_aside_run();
-      damage.resize(std::min(damage.find('\n'), damage.size()));  // without the suggestion, which is now followed
-      warn("run set aside", damage, fmt::format("it is now {}, and is simulated again", aside.string()));
+      warn("run set aside", first_line(damage), fmt::format("it is now {}, and is simulated again", aside.string()));
     } else if (has_all_frames(folder, task.plan)) {
       folder.discard_partial();
       return Outcome::finished;
