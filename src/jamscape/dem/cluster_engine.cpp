@@ -252,7 +252,7 @@ void ClusterEngine::fail_deep() const {
 }
 
 void ClusterEngine::fail(std::size_t body, const std::string& problem) const {
-  constexpr double steps_needed = 12;  // time steps a contact lasts
+  constexpr double steps_needed = 8;  // time steps a contact lasts
   double lightest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < bodies_.count(); ++k) lightest = std::min(lightest, bodies_.row(k)[R::mass]);
   const double lasts = std::numbers::pi * std::sqrt(lightest / 2 / std::max(grain_law_.k_n, wall_law_.k_n));
