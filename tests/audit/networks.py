@@ -7,7 +7,7 @@ from compare import compare
 from measures.persistence import binned, totals
 from options import spelled, with_settings
 
-SETTINGS = [{}, {"clamp": 0.0}]
+SETTINGS = [{}, {"rough_includes_edge": True}, {"clamp": 0.0}]
 
 
 def network(vertices, edges, seed):
