@@ -65,11 +65,10 @@ ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunAr
     fmt::print(
         "{}\n",
         nlohmann::json{{"tasks", list}, {"grain_steps", cost}, {"seconds_estimated", seconds}, {"notes", said}}.dump());
-  else
-    fmt::print("{} runs, {:.2g} grain-steps, roughly {} on {} cores; nothing was run\n", order.size(), cost,
-               print_duration(seconds), jobs);
-  if (!a.json)
-    for (const std::string& text : said) fmt::print("note: {}\n", text);
+  if (a.json) return ExitCode::done;
+  for (const std::string& text : said) fmt::print("note: {}\n", text);
+  fmt::print("{} runs, {:.2g} grain-steps, roughly {} on {} cores; nothing was run\n", order.size(), cost,
+             print_duration(seconds), jobs);
   return ExitCode::done;
 }
 
