@@ -13,6 +13,7 @@ class Network:
     image: np.ndarray        # (E, D)
     force: np.ndarray        # of each edge, as it is
     mean: float
+    point: np.ndarray        # where they touch
 
     @property
     def weight(self):
@@ -31,9 +32,9 @@ def force_network(packing, options):
     kept = ~rattlers(packing) if options.remove_rattlers else np.ones(packing.count, dtype=bool)
     inside = kept[found[:, 0]] & kept[found[:, 1]]
     edges, force = found[inside, :2], force[inside]
-    if options.remove_rattlers:  # then a grain is a vertex through an edge only
-        kept = np.bincount(edges.ravel(), minlength=packing.count) > 0
-    return Network(np.flatnonzero(kept), edges, found[inside, 2:], force, force.mean() if len(force) else 0.0)
+    point = np.zeros((len(found), packing.dimension))
+    point[pair] = packing.point[contacts]  # of a pair with several contacts one of them
+    return Network(np.flatnonzero(kept), edges, found[inside, 2:], force, force.mean() if len(force) else 0.0, point[inside])
 
 
 def clamped(network, options):

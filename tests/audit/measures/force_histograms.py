@@ -42,7 +42,10 @@ def over_mean(packing, options):
 
 @audits("force_distribution")
 def force_distribution(packing, options):
-    weights, low, high, n = force_network(packing, options).weight, options.force_min, options.force_max, options.force_bins
+    network = force_network(packing, options)
+    force = network.force[from_walls(packing, options, network.point)]
+    weights = force / force.mean() if len(force) and force.mean() > 0 else 0 * force
+    low, high, n = options.force_min, options.force_max, options.force_bins
     if options.force_scale == "log":
         edges = low * (high / low) ** (np.arange(n + 1) / n)
         centre = np.sqrt(edges[1:] * edges[:-1])
