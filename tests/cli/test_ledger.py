@@ -48,7 +48,7 @@ class Ledger(Case):
         self.write("making.toml", MAKING)
 
     def test_a_run_that_makes_energy_is_stopped(self):
-        self.program("run", "making.toml", "-o", "out", "-q", code=1)
+        self.program("run", "making.toml", "-o", "out", "-q", code=6)
         status = self.program("status", "out").stdout
         self.assertEqual(status.count("the energy ledger is off by"), 2)
         self.assertIn("study.ledger", status)
