@@ -28,15 +28,6 @@ class Run {
   }
 
   Outcome go(const Archive* from) {
-    try {
-      return run(from);
-    } catch (const Diverged& error) {
-      throw Diverged(with_cause(error.what()));
-    }
-  }
-
- private:
-  Outcome run(const Archive* from) {
     from ? resume(*from) : begin_leg(0);
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds between_looks{250};
@@ -67,21 +58,7 @@ class Run {
     }
   }
 
-  /// The engine takes a long time step for the cause; grains that have no room left are another.
-  std::string with_cause(const std::string& what) const {
-    if (is_container(system_.domain.walls)) return what;
-    const double filled = scene_.packing_fraction_plain(), room = system_.domain.dimension == 2 ? 1.0 : 0.78;
-    const std::size_t likely = what.find("; likely ");
-    if (filled <= room || likely == std::string::npos) return what;
-    return what.substr(0, likely) +
-           fmt::format(
-               "; the grains truly fill {:.3g} of the box, more than there is room for, where the packing fraction "
-               "by domain.area = \"{}\" is {:.3g}: {}",
-               filled, system_.domain.area == AreaConvention::nominal ? "nominal" : "actual", scene_.packing_fraction(),
-               system_.domain.area == AreaConvention::nominal ? "domain.area = \"actual\", or a smaller stage.to"
-                                                              : "a smaller stage.to");
-  }
-
+ private:
   void begin_leg(std::size_t leg) {
     enter_leg(leg, engine_.step());
     if (leg < table_.legs.size()) scene_.begin(table_.legs[leg]);

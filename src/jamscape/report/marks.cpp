@@ -1,6 +1,7 @@
 #include "jamscape/report/marks.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "jamscape/report/results.hpp"
@@ -15,6 +16,12 @@ std::map<std::string, std::size_t> index_of(const Study& study) {
   return index;
 }
 
+std::vector<double> packing_fractions(const Table& frames) {
+  constexpr const char* column = "packing_fraction_target";
+  return frames.has(column) ? frames.numbers(column)
+                            : std::vector<double>(frames.rows(), std::numeric_limits<double>::quiet_NaN());
+}
+
 }  // namespace
 
 FrameSets frames_of_curves(const Study& study, const Table& frames) {
@@ -23,7 +30,7 @@ FrameSets frames_of_curves(const Study& study, const Table& frames) {
   const auto index = index_of(study);
   const std::vector<std::string> name = text_column(frames, "system"), stage = text_column(frames, "stage"),
                                  ended = text_column(frames, "relaxation");
-  const std::vector<double> frame = frames.numbers("frame"), rho = frames.numbers("packing_fraction_target");
+  const std::vector<double> frame = frames.numbers("frame"), rho = packing_fractions(frames);
   std::vector<std::map<std::int64_t, FrameKind>> kinds(study.systems.size());
   for (std::size_t k = 0; k < frames.rows(); ++k)
     if (const auto system = index.find(name[k]); system != index.end())
@@ -43,7 +50,7 @@ Marks count_marks(const Study& study, const Table& frames) {
   if (!frames.has("marked") || !frames.has("ledger_error")) return marks;
   const auto index = index_of(study);
   const std::vector<std::string> name = text_column(frames, "system");
-  const std::vector<double> frame = frames.numbers("frame"), rho = frames.numbers("packing_fraction_target"),
+  const std::vector<double> frame = frames.numbers("frame"), rho = packing_fractions(frames),
                             marked = frames.numbers("marked"), error = frames.numbers("ledger_error");
   for (std::size_t k = 0; k < frames.rows(); ++k) {
     const auto system = index.find(name[k]);

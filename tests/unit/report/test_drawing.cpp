@@ -38,12 +38,12 @@ TEST(Drawing, ForcesAreInUnitsOfTheMeanBetweenGrains) {
   Packing p = box(4);
   for (double x : {0.5, 1.5, 2.5}) add_grain(p, x, 1);
   p.walls.push_back({});
-  add_contact(p, 0, 1, 1);
   add_contact(p, 0, -1, 8);  // walls do not count in the mean
+  add_contact(p, 0, 1, 1);
   add_contact(p, 1, 2, 3);
   const Drawing d = drawing(p, EdgeForce::normal);
-  EXPECT_EQ(d.force, (std::vector<double>{0.5, 4, 1.5}));
-  EXPECT_EQ(d.ends, (std::vector<std::uint32_t>{0, 1, 0, 3, 1, 2}));
+  EXPECT_EQ(d.force, (std::vector<double>{4, 0.5, 1.5}));
+  EXPECT_EQ(d.ends, (std::vector<std::uint32_t>{0, 3, 0, 1, 1, 2}));
   EXPECT_EQ(d.grains, 3u);
   // A plane wall has no bead: the line ends where the force acts.
   EXPECT_EQ(d.position[3], (Vec3{0.25, 0.75, 0}));
