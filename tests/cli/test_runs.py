@@ -117,7 +117,7 @@ class Runs(Case):
     def test_a_failing_run_lets_the_others_go_on(self):
         # One step is longer than a grain needs to pass another: this system must blow up.
         self.write("bad.toml", STUDY.replace("contact.friction = 0.5",
-                                             "contact.friction = 0.5\nstage.compress.speed = 0.9\nintegrator.step = 0.2"))
+                                             "contact.friction = 0.5\nstage.compress.speed = 0.4\nintegrator.step = 0.2"))
         result = self.program("run", "bad.toml", "--out", "out", code=6)
         self.assertIn("failed", result.stderr)
         systems = {r["system"] for r in self.rows("out/tables/frames.csv")}
