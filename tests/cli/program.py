@@ -17,9 +17,8 @@ STUDY = """\
 [study]
 name = "tiny"
 seed = 3
-ledger = "open"  # walls so fast turn over little
 realisations = 2
-
+ledger = "open"  # walls so fast turn over little
 [grains]
 count = 64
 width = 0.4
