@@ -1,6 +1,5 @@
 #include "jamscape/base/mean.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -9,37 +8,47 @@ namespace {
 
 constexpr std::size_t kSums = 8;
 
-struct Sums {
-  std::array<double, kSums> sum{}, lost{};
+/// The sum of x is sum + lost.
+struct Sum {
+  double sum = 0, lost = 0;
 
-  void add(std::size_t k, double x) {
-    const double s = sum[k] + x, part = s - sum[k];
-    lost[k] += (sum[k] - (s - part)) + (x - part);
-    sum[k] = s;
+  void add(double x) {
+    const double s = sum + x, part = s - sum;
+    lost += (sum - (s - part)) + (x - part);
+    sum = s;
   }
 };
 
-double exact_mean(std::span<const double> values) {
-  Sums sums;
+/// Eight sums side by side, arrays of their own so that they fill vector registers.
+Sum exact_sum(std::span<const double> values) {
+  double sum[kSums] = {}, lost[kSums] = {};
   std::size_t n = 0;
-  for (; n + kSums <= values.size(); n += kSums)
-    for (std::size_t k = 0; k < kSums; ++k) sums.add(k, values[n + k]);
-  for (; n < values.size(); ++n) sums.add(n % kSums, values[n]);
-  Sums all;
-  for (std::size_t k = 0; k < kSums; ++k) all.add(0, sums.sum[k]);
-  for (std::size_t k = 0; k < kSums; ++k) all.lost[0] += sums.lost[k];
-  const auto count = static_cast<double>(values.size());
-  const double mean = all.sum[0] / count;
-  return mean + (std::fma(-mean, count, all.sum[0]) + all.lost[0]) / count;
+  for (; n + kSums <= values.size(); n += kSums) {
+    double s[kSums], part[kSums];
+    for (std::size_t k = 0; k < kSums; ++k) s[k] = sum[k] + values[n + k];
+    for (std::size_t k = 0; k < kSums; ++k) part[k] = s[k] - sum[k];
+    for (std::size_t k = 0; k < kSums; ++k) lost[k] += (sum[k] - (s[k] - part[k])) + (values[n + k] - part[k]);
+    for (std::size_t k = 0; k < kSums; ++k) sum[k] = s[k];
+  }
+  Sum all;
+  for (; n < values.size(); ++n) all.add(values[n]);
+  for (std::size_t k = 0; k < kSums; ++k) all.add(sum[k]);
+  for (std::size_t k = 0; k < kSums; ++k) all.lost += lost[k];
+  return all;
 }
 
 }  // namespace
 
-double mean_of(std::span<const double> values) { return values.empty() ? 0 : exact_mean(values); }
+double mean_of(std::span<const double> values) {
+  if (values.empty()) return 0;
+  const Sum all = exact_sum(values);
+  const auto count = static_cast<double>(values.size());
+  const double mean = all.sum / count;
+  return mean + (std::fma(-mean, count, all.sum) + all.lost) / count;
+}
 
 void divide_by_mean(std::span<double> values, double mean) {
-  if (!(mean > 0)) return;
-  for (double& v : values) v /= mean;
+  for (double& v : values) v = over_mean(v, mean);
 }
 
 std::vector<double> over_mean(std::vector<double> values) {

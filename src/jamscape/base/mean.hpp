@@ -13,7 +13,8 @@ namespace jam {
 /// 0 without numbers.
 double mean_of(std::span<const double> values);
 
-/// value/mean, one division each; as they are where the mean is not above 0.
+/// value/mean, one division; as it is where the mean is not above 0.
+inline double over_mean(double value, double mean) { return mean > 0 ? value / mean : value; }
 void divide_by_mean(std::span<double> values, double mean);
 std::vector<double> over_mean(std::vector<double> values);
 

@@ -19,8 +19,9 @@ double ratio_of_means(const Packing& packing, double gravity) {
   for (std::size_t c = 0; c < k.size(); ++c) {
     Vec<D> f;
     for (int a = 0; a < D; ++a) f[a] = k.tangential_force[c][a] - k.normal_force[c] * k.normal[c][a];
-    contact_sum += norm(f);
-    contacts += touches(k, c);
+    const double size = norm(f);
+    contact_sum += size;
+    contacts += size > 0 || touches(k, c);
     net[k.i[c]] += f;
     if (k.j[c] >= 0) net[static_cast<std::size_t>(k.j[c])] -= f;
   }

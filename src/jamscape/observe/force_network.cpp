@@ -52,10 +52,10 @@ ForceNetwork force_network(const Packing& packing, const Bonds& bonds, const Mea
   for (auto* ids : {&g.from, &g.to, &net.contact}) ids->resize(count);
   net.force.resize(count);
   net.mean_force = mean_of(net.force);
+  const double mean = net.mean_force;
   const double most = options.clamp > 0 ? options.clamp : std::numeric_limits<double>::infinity();
-  g.weight = net.force;
-  divide_by_mean(g.weight, net.mean_force);
-  for (double& w : g.weight) w = std::min(w, most);
+  g.weight.resize(count);
+  for (std::size_t e = 0; e < count; ++e) g.weight[e] = std::min(over_mean(net.force[e], mean), most);
   if (options.remove_rattlers) leave_out_rattlers(net, bonds);
   return net;
 }

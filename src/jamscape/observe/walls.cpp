@@ -10,12 +10,11 @@ namespace jam {
 namespace {
 
 /// The normal force on each wall by its contacts away from the others; with no margin all of it.
-std::vector<double> inner_forces(const Packing& p, const MeasureOptions& options) {
+std::vector<double> inner_forces(const Packing& p, const Bonds& bonds, const MeasureOptions& options) {
   std::vector<double> force(p.walls.size(), 0.0);
   const WallMargin margin(p, options);
   const Contacts& k = p.contacts;
-  for (std::size_t c = 0; c < k.size(); ++c) {
-    if (k.j[c] >= 0) continue;
+  for (const std::uint32_t c : bonds.wall_contact) {
     const auto w = static_cast<std::size_t>(-1 - k.j[c]);
     const int axis = wall_axis(p.walls[w], p.dimension);
     Vec3 along = k.point[c];
@@ -26,25 +25,25 @@ std::vector<double> inner_forces(const Packing& p, const MeasureOptions& options
   return force;
 }
 
-double wall_virial(const Packing& p) {
+double wall_virial(const Packing& p, const Bonds& bonds) {
   const Contacts& k = p.contacts;
   const Vec3 centre = 0.5 * (p.domain.lo + p.domain.hi);
   double sum = 0;
-  for (std::size_t c = 0; c < k.size(); ++c)
-    if (k.j[c] < 0) sum += dot(k.tangential_force[c] - k.normal_force[c] * k.normal[c], k.point[c] - centre);
+  for (const std::uint32_t c : bonds.wall_contact)
+    sum += dot(k.tangential_force[c] - k.normal_force[c] * k.normal[c], k.point[c] - centre);
   const double volume = box_volume(p);
   return volume > 0 ? (0 - sum) / (p.dimension * volume) : 0;
 }
 
 }  // namespace
 
-WallForces wall_forces(const Packing& packing, const MeasureOptions& options) {
+WallForces wall_forces(const Packing& packing, const Bonds& bonds, const MeasureOptions& options) {
   WallForces f;
   const Vec3 side = packing.domain.hi - packing.domain.lo;
   const double volume = box_volume(packing);
   const bool whole = options.force_margin == 0;
   const WallMargin margin(packing, options);
-  const std::vector<double> inner = whole ? std::vector<double>() : inner_forces(packing, options);
+  const std::vector<double> inner = whole ? std::vector<double>() : inner_forces(packing, bonds, options);
   double sum = 0, walls = 0;
   for (std::size_t w = 0; w < packing.walls.size(); ++w) {
     const Wall& wall = packing.walls[w];
@@ -59,7 +58,7 @@ WallForces wall_forces(const Packing& packing, const MeasureOptions& options) {
     ++walls;
   }
   if (walls > 0) f.pressure = sum / walls;
-  if (!packing.walls.empty()) f.virial = wall_virial(packing);
+  if (!packing.walls.empty()) f.virial = wall_virial(packing, bonds);
   return f;
 }
 
@@ -86,7 +85,7 @@ Measure walls_measure() {
        {"wall_pressure", "m d^(2-D)/tau_c^2", "mean of force over length (area) of the walls; 0 without walls"},
        {"wall_virial_pressure", "m d^(2-D)/tau_c^2", "pressure by the moments of the wall forces; 0 without walls"}},
       [](const Snapshot& s) {
-        const WallForces f = wall_forces(s.packing(), s.options());
+        const WallForces f = wall_forces(s.packing(), s.bonds(), s.options());
         std::vector<double> row(f.normal.begin(), f.normal.end());
         row.push_back(f.pressure);
         row.push_back(f.virial);

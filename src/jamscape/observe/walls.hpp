@@ -28,7 +28,7 @@ struct WallForces {
 
 /// Contacts closer than options.force_margin to another wall are left out of `pressure`, whose lengths are shortened by
 /// twice as much.
-WallForces wall_forces(const Packing& packing, const MeasureOptions& options = {});
+WallForces wall_forces(const Packing& packing, const Bonds& bonds, const MeasureOptions& options = {});
 
 Measure walls_measure();
 

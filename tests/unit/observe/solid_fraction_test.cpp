@@ -89,7 +89,7 @@ TEST(Cylinder, IsNoSideOfTheBox) {
   EXPECT_EQ(touched_sides(p, find_bonds(p))[0], low_side(1));
   add_contact_at(p, 0, -1, {0, 1, 5}, {-1, 0, 0}, 4);
   EXPECT_EQ(touched_sides(p, find_bonds(p))[0], low_side(1));
-  const WallForces f = wall_forces(p);
+  const WallForces f = wall_forces(p, find_bonds(p));
   EXPECT_EQ(f.normal, (std::array<double, 6>{0, 0, 6, 0, 0, 0}));
   EXPECT_NEAR(f.pressure, 6 / (pi * 25) / 2, 1e-12);  // floor and lid
   EXPECT_EQ(height_axis(p), 1);

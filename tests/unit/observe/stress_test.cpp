@@ -42,8 +42,8 @@ TEST(Stress, PressureIsTheWallPressureInEquilibrium) {
     EXPECT_NEAR(s[2][2], dimension == 3 ? -2 : 0, 1e-12);
     EXPECT_NEAR(s[0][1], 0, 1e-12);
     EXPECT_NEAR(pressure(p), 2, 1e-12);
-    EXPECT_NEAR(wall_forces(p).pressure, 2, 1e-12);
-    EXPECT_NEAR(wall_forces(p).virial, 2, 1e-12);
+    EXPECT_NEAR(wall_forces(p, find_bonds(p)).pressure, 2, 1e-12);
+    EXPECT_NEAR(wall_forces(p, find_bonds(p)).virial, 2, 1e-12);
     EXPECT_NEAR(unbalanced_force(p), 0, 1e-12);
   }
 }
@@ -86,13 +86,14 @@ TEST(WallForces, AreKnownByTheNormalOfTheWall) {
   p.walls[2].force = {9, -8, 0};
   p.walls[3].force = {0, 2, 0};
   std::swap(p.walls[0], p.walls[3]);
-  const WallForces f = wall_forces(p);
+  const WallForces f = wall_forces(p, find_bonds(p));
   EXPECT_EQ(f.normal, (std::array<double, 6>{4, 6, 8, 2, 0, 0}));
   EXPECT_DOUBLE_EQ(f.pressure, (4.0 / 5 + 6.0 / 5 + 8.0 / 10 + 2.0 / 10) / 4);
 }
 
 TEST(WallForces, AreZeroWithoutWalls) {
-  const WallForces f = wall_forces(square(3, 3));
+  const Packing p = square(3, 3);
+  const WallForces f = wall_forces(p, find_bonds(p));
   EXPECT_EQ(f.normal, (std::array<double, 6>{}));
   EXPECT_EQ(f.pressure, 0);
 }
@@ -112,18 +113,19 @@ TEST(WallForces, OfAWedgedGrainPressNothing) {
     p.walls[static_cast<std::size_t>(-1 - p.contacts.j[c])].force = 6.0 * n - p.contacts.tangential_force[c];
   }
   EXPECT_NEAR(unbalanced_force(p), 0, 1e-12);
-  EXPECT_DOUBLE_EQ(wall_forces(p).pressure, 2 * 6.0 / 10 / 4);
-  EXPECT_NEAR(wall_forces(p).virial, pressure(p), 1e-15);
-  EXPECT_NEAR(wall_forces(p).virial, 0.03, 1e-15);  // 6 at half a grain from the corner, twice, over D V
+  EXPECT_DOUBLE_EQ(wall_forces(p, find_bonds(p)).pressure, 2 * 6.0 / 10 / 4);
+  EXPECT_NEAR(wall_forces(p, find_bonds(p)).virial, pressure(p), 1e-15);
+  EXPECT_NEAR(wall_forces(p, find_bonds(p)).virial, 0.03, 1e-15);  // 6 at half a grain from the corner, twice, over D V
   MeasureOptions away;
   away.force_margin = 1;
-  EXPECT_EQ(wall_forces(p, away).pressure, 0);
+  EXPECT_EQ(wall_forces(p, find_bonds(p), away).pressure, 0);
 }
 
 TEST(WallForces, AMarginShortensTheWalls) {
   MeasureOptions away;
   away.force_margin = 0.6;
-  EXPECT_NEAR(wall_forces(pressed(2, 4), away).pressure, 2 * 2 / 2.8, 1e-12);  // two grains a wall on 4 - 2 x .6
+  const Packing p = pressed(2, 4);
+  EXPECT_NEAR(wall_forces(p, find_bonds(p), away).pressure, 2 * 2 / 2.8, 1e-12);  // two grains a wall on 4 - 2 x .6
 }
 
 TEST(KineticStress, IsThatOfTheMotionWithoutTheDrift) {
