@@ -71,6 +71,7 @@ class Resume(Case):
         self.assert_same_results("whole", "out")
 
     def test_stopped_in_the_middle_of_a_stage_it_does_not_begin_again(self):
+        self.write("slow.toml", STUDY.replace("speed = 2e-3", "speed = 3e-5"))  # stops are heard every quarter of a second
         process = self.start("run", "slow.toml", "--out", "out", "--jobs", "1", "--quiet")
         self.wait_for(process, lambda: self.frames("out") >= 3)
         process.send_signal(signal.SIGINT)
