@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "jamscape/observe/entry.hpp"
+#include "jamscape/observe/ratio.hpp"
 
 namespace jam {
 namespace {
@@ -17,8 +18,6 @@ std::vector<std::uint32_t> degrees(const ComponentHistory& history) {
   }
   return degree;
 }
-
-double ratio(double over, double under) { return under > 0 ? over / under : 0; }
 
 }  // namespace
 

@@ -1,15 +1,14 @@
 #include <cmath>
-#include <limits>
 
 #include "jamscape/geometry/cluster_shape.hpp"
 #include "jamscape/observe/entry.hpp"
 #include "jamscape/observe/radial_distribution.hpp"
+#include "jamscape/stats/none.hpp"
 #include "jamscape/stats/shell_peaks.hpp"
 
 namespace jam {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kResamples = 100;  // an error to a tenth of itself
 
 std::vector<std::vector<double>> rows(const Snapshot& s) {

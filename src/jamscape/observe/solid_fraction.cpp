@@ -1,11 +1,12 @@
 #include "jamscape/observe/solid_fraction.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "jamscape/observe/bodies.hpp"
 #include "jamscape/observe/box.hpp"
 #include "jamscape/observe/entry.hpp"
+#include "jamscape/observe/ratio.hpp"
+#include "jamscape/stats/none.hpp"
 
 namespace jam {
 namespace {
@@ -26,8 +27,6 @@ double thickness(const Packing& p) {
   return 2 * radius;
 }
 
-double ratio(double over, double under) { return under > 0 ? over / under : 0; }
-
 }  // namespace
 
 double solid_fraction(const Packing& p) {
@@ -36,7 +35,6 @@ double solid_fraction(const Packing& p) {
 }
 
 double weight_over_load(const Packing& p) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Wall* lid = find_lid(p);
   if (lid == nullptr) return none;
   const double load = -dot(lid->force, lid->normal);

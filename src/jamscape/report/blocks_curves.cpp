@@ -128,7 +128,7 @@ Json many_block(const Results& results, const ManyChoice& choice) {
     const double from = dimension == 3 ? choice.from_3d : choice.from;
     Json frames = Json::array();
     for (const std::int64_t frame : chosen_frames(rows, choice.frames, from)) {
-      const FrameRows& at = rows.frames.at(frame);
+      const EnsembleFrame& at = rows.frames.at(frame);
       const auto rows_shown = static_cast<std::size_t>(
           std::upper_bound(at.x.begin(), at.x.end(), choice.longest * (1 + 1e-9)) - at.x.begin());
       std::vector<double> x(at.x.begin(), at.x.begin() + static_cast<std::ptrdiff_t>(rows_shown));

@@ -40,7 +40,7 @@ Json surfaces_block(const Results& results) {
   bool any = false;
   for (std::size_t s = 0; s < all.size(); ++s) {
     const auto by_rho = by_packing_fraction(all[s]);
-    const auto at = [&](double rho) -> const FrameRows& { return all[s].frames.at(by_rho.at(rho)); };
+    const auto at = [&](double rho) -> const EnsembleFrame& { return all[s].frames.at(by_rho.at(rho)); };
     const std::vector<double> thresholds = by_rho.empty() ? std::vector<double>() : at(by_rho.begin()->first).x;
     std::vector<double> rho;
     for (const auto& [value, frame] : by_rho)

@@ -25,7 +25,7 @@ std::vector<SystemRows> ensemble_rows(const Results& results, const Table& table
     if (!states.empty() && !states.contains(static_cast<std::int64_t>(frame[k]))) continue;
     SystemRows& rows = systems[static_cast<std::size_t>(system)];
     rows.realisations = std::max(rows.realisations, static_cast<std::int64_t>(n[k]));
-    FrameRows& at = rows.frames[static_cast<std::int64_t>(frame[k])];
+    EnsembleFrame& at = rows.frames[static_cast<std::int64_t>(frame[k])];
     at.rho = rho[k];
     if (at.quantities.empty()) at.first = quantity[k];
     Estimates& estimates = at.quantities[quantity[k]];

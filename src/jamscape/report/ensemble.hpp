@@ -14,7 +14,7 @@ struct Estimates {
 };
 
 /// Mean and error of each quantity over the abscissae of one frame.
-struct FrameRows {
+struct EnsembleFrame {
   double rho = 0;         ///< packing fraction: as planned, or what came out in a container
   std::vector<double> x;  ///< the same for all quantities, taken from the first; empty for the table of frames
   std::string first;
@@ -22,7 +22,7 @@ struct FrameRows {
 };
 
 struct SystemRows {
-  std::map<std::int64_t, FrameRows> frames;  ///< by index of the frame
+  std::map<std::int64_t, EnsembleFrame> frames;  ///< by index of the frame
   std::int64_t realisations = 0;             ///< the largest n
   bool container =
       false;  ///< its frames are ends of stages, and no curve over the packing fraction: the last one counts

@@ -1,17 +1,16 @@
 #include "jamscape/stats/exponential_tail.hpp"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "jamscape/base/border.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/stats/least_squares.hpp"
+#include "jamscape/stats/none.hpp"
 
 namespace jam {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSlowest = 0.02, kFastest = 100;  // of k: flat over all bins; gone within one
 
 struct Tail {

@@ -1,16 +1,14 @@
 #include "jamscape/stats/force_laws.hpp"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "jamscape/base/border.hpp"
 #include "jamscape/stats/least_squares.hpp"
+#include "jamscape/stats/none.hpp"
 
 namespace jam {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool has_density(std::span<const double> density) {
   double sum = 0;

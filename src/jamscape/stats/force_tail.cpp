@@ -1,17 +1,16 @@
 #include "jamscape/stats/force_tail.hpp"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "jamscape/base/border.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/stats/least_squares.hpp"
+#include "jamscape/stats/none.hpp"
 
 namespace jam {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFirstBins = 0.3;  // mean forces; a maximum up to here is the end of a curve that falls from 0
 constexpr double kBendFrom = 0.2, kBendTo = 2;  // around the mean, away from the tail and from f = 0
 constexpr double kErrorsToStandOut = 2;         // the highest of many equal bins is some 2 errors above the lowest

@@ -1,12 +1,12 @@
 #include "jamscape/stats/moments.hpp"
 
 #include <cmath>
-#include <limits>
+
+#include "jamscape/stats/none.hpp"
 
 namespace jam {
 
 Moments moments(std::span<const double> values) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const auto n = static_cast<double>(values.size());
   Moments m{values.size(), none, none, none};
   if (values.empty()) return m;

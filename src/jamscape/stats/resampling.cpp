@@ -1,16 +1,14 @@
 #include "jamscape/stats/resampling.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
 #include "jamscape/stats/moments.hpp"
+#include "jamscape/stats/none.hpp"
 
 namespace jam {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 Estimate over_all(std::size_t n, const Statistic& statistic) {
   std::vector<std::size_t> all(n);

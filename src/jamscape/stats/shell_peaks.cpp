@@ -8,11 +8,11 @@
 #include "jamscape/base/border.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/stats/curves.hpp"
+#include "jamscape/stats/none.hpp"
 
 namespace jam {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double kErrorsToStandOut = 4;    // between the extremes of some 50 bins chance makes 3
 constexpr double kLeastProminence = 0.05;  // of g; smaller ones are seen in no printed curve
 

@@ -1,14 +1,12 @@
 #include "jamscape/study/averaging.hpp"
 
 #include <cmath>
-#include <limits>
 
+#include "jamscape/stats/none.hpp"
 #include "jamscape/stats/resampling.hpp"
 
 namespace jam {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 

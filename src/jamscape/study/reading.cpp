@@ -8,6 +8,7 @@
 
 #include "jamscape/base/border.hpp"
 #include "jamscape/base/error.hpp"
+#include "jamscape/stats/none.hpp"
 #include "jamscape/stats/resampling.hpp"
 #include "jamscape/study/averaging.hpp"
 #include "jamscape/study/identity.hpp"
@@ -15,8 +16,6 @@
 
 namespace jam {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 Reading missing(std::string problem) { return {{0, none, none, none}, std::move(problem)}; }
 

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "jamscape/stats/none.hpp"
 #include "jamscape/stats/sign_test.hpp"
 #include "jamscape/study/reading.hpp"
 
 namespace jam {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool same_value(const Option& option, const Written& wanted) {
   const std::string value = print_value(option);

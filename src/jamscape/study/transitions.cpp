@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "jamscape/base/border.hpp"
 #include "jamscape/base/files.hpp"
@@ -12,6 +11,7 @@
 #include "jamscape/stats/curves.hpp"
 #include "jamscape/stats/inflection.hpp"
 #include "jamscape/stats/moments.hpp"
+#include "jamscape/stats/none.hpp"
 #include "jamscape/study/identity.hpp"
 #include "jamscape/study/pooled_forces.hpp"
 #include "jamscape/study/tables.hpp"
@@ -25,7 +25,6 @@ constexpr double jammed_z = 3;      // S1's criterion
 constexpr double fit_range = 0.05;  // how far from rho_c the fit of the inflection looks
 constexpr double onset_range = 100;  // pressures, in those of the onset, that its line looks at
 constexpr std::size_t resamples = 200;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Stages that follow each other may both have a frame at the same packing fraction; a curve has it once.
 std::vector<std::size_t> increasing(const std::vector<double>& x) {
