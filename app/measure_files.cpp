@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/io/column_names.hpp"
@@ -153,7 +154,9 @@ Table measure_network(NamedGraph network, const FileRequest& request) {
   count("vertices", network.graph.vertices);
   count("edges", network.graph.edges());
   row.add("mean_force", std::vector<double>{mean});
-  row.add("z", std::vector<double>{2 * static_cast<double>(network.graph.edges()) / network.graph.vertices});
+  const double vertices = network.graph.vertices;
+  row.add("z", std::vector<double>{vertices > 0 ? 2 * static_cast<double>(network.graph.edges()) / vertices
+                                                : std::numeric_limits<double>::quiet_NaN()});
   for (const int k : {0, 1}) {
     const BinCounts b = persistence_bins(diagram, k, bins);
     count(k == 0 ? "b0_rough" : "b1_rough", b.rough);
@@ -184,6 +187,7 @@ FileResult measure_one_network(const FileRequest& request) {
   NamedGraph network = read_one_network(request);
   FileResult result;
   result.notes = network.notes;
+  if (network.graph.edges() == 0) result.notes.push_back("the network has no edges");
   for (const std::string& key : request.set)
     if (key != "measure.clamp" && key != "measure.rough_includes_edge")
       result.notes.push_back(fmt::format("{} changes nothing for a network without grains", key));

@@ -77,9 +77,9 @@ CsvMetadata shape_lines(const Packing& packing) {
   return lines;
 }
 
-void read_clusters(const CsvFile& csv, const std::vector<std::size_t>& order, Packing& packing) {
-  for (const auto& [key, text] : csv.metadata())
-    if (key == "shape") packing.shapes.push_back(read_line(text, csv.file()));
+void read_clusters(const CsvFile& csv, const LeadingLines& lines, const std::vector<std::size_t>& order,
+                   Packing& packing) {
+  for (const CsvRemark* remark : lines.all("shape")) packing.shapes.push_back(read_line(remark->value, remark->place));
   if (packing.shapes.empty()) return;
   Grains& g = packing.grains;
   const auto shape = csv.integers(need_column(csv, {"shape"}, "which shape a grain has, counted from 0"));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "jamscape/io/csv.hpp"
+#include "jamscape/io/leading_lines.hpp"
 #include "jamscape/packing/packing.hpp"
 
 namespace jam {
@@ -17,6 +18,7 @@ CsvMetadata shape_lines(const Packing& packing);
 
 /// Fills shapes and the arrays of clusters, rows in the order given; leaves a packing without shapes alone. Throws a
 /// data error for lines and columns that do not fit.
-void read_clusters(const CsvFile& csv, const std::vector<std::size_t>& order, Packing& packing);
+void read_clusters(const CsvFile& csv, const LeadingLines& lines, const std::vector<std::size_t>& order,
+                   Packing& packing);
 
 }  // namespace jam

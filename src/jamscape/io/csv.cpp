@@ -80,9 +80,17 @@ class CsvFile::Scanner {
     const bool keyed = colon != std::string_view::npos;
     const std::string_view key = keyed ? trimmed(line.substr(0, colon)) : std::string_view{};
     const std::string_view value = trimmed(keyed ? line.substr(colon + 1) : line);
-    csv_.remarks_.push_back({std::string(key), std::string(value), csv_.place_of(now_)});
-    if (keyed) csv_.metadata_.emplace_back(key, value);
+    csv_.remarks_.push_back({std::string(key), std::string(value), place_of_remark()});
     now_ = stop == end_ ? end_ : stop + 1;
+  }
+
+  /// place_of(now_); counts on from the remark before, since there may be many.
+  std::string place_of_remark() {
+    line_ += static_cast<std::size_t>(std::count(counted_, now_, '\n'));
+    counted_ = now_;
+    const char* begin = now_;
+    while (begin != csv_.text_->data() && begin[-1] != '\n') --begin;
+    return fmt::format("{}:{}:{}", csv_.file_, line_, now_ - begin + 1);
   }
 
   /// The line without what ends it.
@@ -219,6 +227,8 @@ class CsvFile::Scanner {
   char separator_ = ',';
   const char* now_;
   const char* end_;
+  const char* counted_ = now_;  ///< so far there are line_ lines
+  std::size_t line_ = 1;
 };
 
 CsvFile CsvFile::read(const std::filesystem::path& path) { return parse(read_any_text(path), path.string()); }
@@ -231,6 +241,13 @@ CsvFile CsvFile::parse(std::string text, std::string file) {
   Scanner(csv).scan();
   csv.read_.assign(csv.columns_.size(), 0);
   return csv;
+}
+
+CsvMetadata CsvFile::metadata() const {
+  CsvMetadata keyed;
+  for (const CsvRemark& remark : remarks_)
+    if (!remark.key.empty()) keyed.emplace_back(remark.key, remark.value);
+  return keyed;
 }
 
 std::string CsvFile::place_of(const char* position) const {
@@ -292,7 +309,9 @@ std::vector<std::int64_t> CsvFile::integers(std::size_t column) const {
     const std::string_view text = field(row, column);
     auto value = parse_integer(text);
     if (!value) value = parse_whole_number(text);
-    if (!value && separator_.character != ',' && has_decimal_comma(text)) {
+    // 3,0 of a table of decimal commas; 1,000 may be a thousand
+    if (!value && separator_.character != ',' && has_decimal_comma(text) && text.size() - text.find(',') != 4) {
+      refuse_points(row, column);
       std::string point(text);
       std::replace(point.begin(), point.end(), ',', '.');
       value = parse_whole_number(point);
@@ -302,7 +321,7 @@ std::vector<std::int64_t> CsvFile::integers(std::size_t column) const {
                        place(row, column),
                        parse_double(text) && text.find_first_of("eEdD") != std::string_view::npos
                            ? "write all its digits: with an exponent some of them are lost"
-                           : "");
+                           : "ids and counts are whole numbers without separators of thousands");
     values[row] = *value;
   }
   return values;

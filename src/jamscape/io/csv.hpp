@@ -36,8 +36,9 @@ class CsvFile {
   static CsvFile parse(std::string text, std::string file);
 
   const std::string& file() const { return file_; }
-  const CsvMetadata& metadata() const { return metadata_; }
   const std::vector<CsvRemark>& remarks() const { return remarks_; }
+  /// Those of the form `# key: value`, as to_csv() takes them.
+  CsvMetadata metadata() const;
   const std::vector<std::string>& columns() const { return columns_; }
   std::size_t rows() const { return columns_.empty() ? 0 : fields_.size() / columns_.size(); }
 
@@ -77,7 +78,6 @@ class CsvFile {
   std::shared_ptr<std::deque<std::string>> unquoted_;
   Separator separator_;
   std::size_t header_line_ = 1;
-  CsvMetadata metadata_;
   std::vector<CsvRemark> remarks_;
   std::vector<std::string> columns_;
   std::vector<Field> fields_;       ///< row by row

@@ -7,6 +7,7 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/io/column_names.hpp"
 #include "jamscape/io/number_text.hpp"
+#include "jamscape/io/vector_columns.hpp"
 
 namespace jam {
 namespace {
@@ -31,7 +32,7 @@ FrameRows one_frame(CsvFile csv, std::optional<double> wanted) {
   if (!column && wanted)
     throw data_error("no column tells frames apart", csv.file(), "leave out --frame, or name a column 'frame'");
   if (!column || csv.rows() == 0) return {std::move(csv), wanted};
-  const std::vector<double> values = csv.numbers(*column);
+  const std::vector<double> values = read_finite(csv, *column);
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < values.size(); ++row)
     if (values[row] == wanted.value_or(values[0])) rows.push_back(row);

@@ -150,7 +150,7 @@ class ContactCheck {
                        stated_.force_vector
                            ? "fx, fy (and fz) are the force on id1, which is pushed away from id2"
                            : "normal forces are positive where grains push each other: turn their sign");
-    if (stated_.overlap && pressed_open_ == pairs_ && pairs_ > 0)
+    if (stated_.overlap && open_ == pairs_ && pressed_open_ > 0)
       throw data_error(fmt::format("all overlaps are below 0, so none of {} contacts touches", pairs_),
                        places_.contact(0), "overlaps are positive where grains touch: turn their sign");
   }
@@ -166,7 +166,7 @@ class ContactCheck {
                                    neighbours_, pairs_));
     if (pressed_open_ > 0)
       notes_.push_back(
-          fmt::format("{} contacts push with an overlap below 0: they do not count as touching", pressed_open_));
+          fmt::format("{} contacts push with an overlap below 0: they count, for the force they carry", pressed_open_));
     if (least_cosine_ < std::cos(few_degrees))
       notes_.push_back(fmt::format("normals are up to {:.0f} degrees off the lines of centres: taken as given",
                                    std::acos(least_cosine_) * 180 / std::numbers::pi));

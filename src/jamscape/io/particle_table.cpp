@@ -165,7 +165,8 @@ std::vector<T> ordered(const std::vector<T>& values, const std::vector<std::size
 }
 
 /// The row of each grain.
-std::vector<std::size_t> read_grains(const CsvFile& csv, Packing& packing, std::vector<std::string>& notes) {
+std::vector<std::size_t> read_grains(const CsvFile& csv, const LeadingLines& lines, Packing& packing,
+                                     std::vector<std::string>& notes) {
   const int dimension = packing.dimension;
   const std::size_t column = need_column(csv, id_names, "the name of a grain");
   need_column(csv, position_names[0], "where a grain is");
@@ -182,7 +183,7 @@ std::vector<std::size_t> read_grains(const CsvFile& csv, Packing& packing, std::
   g.spin = ordered(read_rotation(csv, {"spin", "omega"}, spin_names, dimension), order);
   g.angle = ordered(read_rotation(csv, {"angle"}, angle_names, dimension), order);
   if (dimension == 2 && velocity) refuse_out_of_plane(csv, velocity_names[2]);
-  read_clusters(csv, order, packing);
+  read_clusters(csv, lines, order, packing);
   if (const auto mass = find_column(csv, mass_names)) {
     g.mass = ordered(read_finite(csv, *mass), order);
   } else {
@@ -251,7 +252,7 @@ ReadParticles read_particles(const CsvFile& csv, std::vector<std::string>& notes
   ReadParticles read;
   Packing& packing = read.packing;
   packing.dimension = dimension_of(csv, lines, notes);
-  read.row = read_grains(csv, packing, notes);
+  read.row = read_grains(csv, lines, packing, notes);
   packing.domain = read_domain(lines, packing, notes);
   if (const CsvRemark* stage = lines.find("stage")) packing.stage = stage->value;
   if (const CsvRemark* step = lines.find("step")) {

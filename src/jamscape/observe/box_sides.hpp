@@ -13,7 +13,7 @@ namespace jam {
 /// + 1 for the high side.
 int wall_side(const Wall& wall, int dimension);
 
-/// Of each grain the sides whose wall it touches: wall contacts with overlap >= 0 and positive normal force.
+/// Of each grain the sides whose wall it touches: wall contacts of positive normal force.
 std::vector<Sides> touched_sides(const Packing& packing, const Bonds& bonds);
 
 /// The same of each vertex of the network.

@@ -120,7 +120,7 @@ struct MeasureOptions {
              {.text = "persistence bins: a lifetime of exactly 0.1 is rough (S2) or not (S1)",
               .source = "S1 Sec. II.C, S2 Sec. 5.3"});
     v.option("force_margin", force_margin,
-             {.text = "force statistics (P(F), P(f), tails, forces of single contacts, stresses of grains, wall "
+             {.text = "force statistics (P(F), P(f), tails, forces of single contacts, distribution of the stresses of grains, wall "
                       "pressure): what is closer to a wall is left out; at most a sixth of the width",
               .unit = "d",
               .min = 0,

@@ -19,6 +19,12 @@ class WallMargin {
   bool keeps(const Vec3& place) const { return !room_ || room_->place(place).inside; }
   /// In d, as used along an axis; 0 along periodic ones.
   double along(int axis) const { return room_ ? room_->margin[axis] : 0; }
+  /// Part of the circle of a cylinder that is inside; 1 without one.
+  double round_share() const {
+    if (!room_ || !room_->round()) return 1;
+    const double inside = 1 - 2 * room_->round_margin / room_->diameter();
+    return inside * inside;
+  }
 
  private:
   std::optional<Room> room_;

@@ -54,6 +54,7 @@ WallForces wall_forces(const Packing& packing, const Bonds& bonds, const Measure
     double area = volume / side[at / 2];
     for (int a = 0; a < packing.dimension; ++a)
       if (a != at / 2) area *= 1 - 2 * margin.along(a) / side[a];
+    area *= margin.round_share();  // of a floor or lid
     if (volume > 0) sum += (whole ? force : inner[w]) / area;
     ++walls;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "jamscape/base/flush_to_zero.hpp"
 #include "jamscape/protocol/scene.hpp"
@@ -29,6 +30,7 @@ LedgerStart ledger_start(const SystemOptions& system, const TaskKey& key) {
 
 double ledger_error(double ledger_sum, double turned_over, const LedgerStart& start) {
   const double off = std::abs(ledger_sum - start.energy);
+  if (!std::isfinite(off) || !std::isfinite(turned_over)) return std::numeric_limits<double>::infinity();
   return off == 0 ? 0 : off / (start.scale + turned_over);
 }
 

@@ -24,7 +24,7 @@ LedgerStart ledger_start(const SystemOptions& system, double kinetic);
 /// The same from the options alone. Makes the start; costs as much as a few steps.
 LedgerStart ledger_start(const SystemOptions& system, const TaskKey& key);
 
-/// `turned_over` is that of EnergyLedger. 0 where nothing is off.
+/// `turned_over` is that of EnergyLedger. 0 where nothing is off, infinite where a sum is no number.
 double ledger_error(double ledger_sum, double turned_over, const LedgerStart& start);
 
 }  // namespace jam

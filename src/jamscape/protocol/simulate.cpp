@@ -220,6 +220,13 @@ class Run {
 
 }  // namespace
 
+/// Walls that are faster than the grains at their start.
+static bool outrun_grains(const SystemOptions& system) {
+  return std::any_of(system.stages.begin(), system.stages.end(), [&](const StageOptions& stage) {
+    return stage.kind != StageKind::relax && stage.speed > system.start.speed;
+  });
+}
+
 int physics_revision(const SystemOptions& system) {
   const ContactOptions& contact = system.contact;
   if (contact.tangential_stiffness == 0 && !hertzian(contact.law) &&
@@ -227,6 +234,7 @@ int physics_revision(const SystemOptions& system) {
     return 9;
   if (is_container(system.domain.walls)) return 3;
   if (system.domain.walls == WallModel::periodic) return 8;
+  if (system.domain.walls == WallModel::flat && outrun_grains(system)) return 10;
   if (!system.stages.empty() && system.stages.front().kind != StageKind::compress) return 7;
   if (system.domain.dimension == 3) return 5;
   if (system.grains.count >= static_cast<std::int64_t>(Parts::least_grains)) return 4;

@@ -24,6 +24,8 @@ namespace jam {
 ///       the box shrink
 ///   9   linear laws with friction and no tangential spring, since sliding is booked with the dashpot's power as it is
 ///       cut (the ledger alone)
+///   10  boxes of flat walls faster than the grains at their start, since moving walls age the neighbour lists; with
+///       what 7 says
 int physics_revision(const SystemOptions& system);
 
 /// What names the random numbers of one simulation.

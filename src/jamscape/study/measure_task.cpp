@@ -156,7 +156,7 @@ const Measure& relaxation_measure() {
 
 MeasureOptions measure_options(const Study& study, std::size_t system) {
   MeasureOptions options = study.measure;
-  if (const double gravity = study.systems[system].options.domain.gravity; gravity != 0) options.gravity = gravity;
+  options.gravity = study.systems[system].options.domain.gravity;
   return options;
 }
 
@@ -220,7 +220,7 @@ std::vector<LeftOut> measure_tasks(const Study& study, const std::vector<Task>& 
           measure_task(folder, chosen, measure_options(study, task.system), what);
         return;
       }
-      std::vector<const Measure*> wanted = {&instant_measure()};
+      std::vector<const Measure*> wanted = {&instant_measure(), &ledger_measure()};
       wanted.insert(wanted.end(), chosen.begin(), chosen.end());
       const TaskFolder elsewhere(places.results, task.hash, places.rows);
       if (what == Remeasure::all || !missing_rows(folder, wanted, measure_options(study, task.system),

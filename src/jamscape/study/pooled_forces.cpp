@@ -20,6 +20,7 @@ constexpr std::size_t resamples = 200;
 struct Histograms {
   std::vector<double> centre;
   Curves over, under;
+  std::vector<std::size_t> run;  ///< of each curve
 };
 
 std::size_t column(const Measure& measure, std::string_view name) {
@@ -35,7 +36,8 @@ Histograms histograms(const std::vector<const DoneTask*>& done, const std::vecto
   const auto at = std::find_if(measures.begin(), measures.end(), [&](const Measure* m) { return m->name == name; });
   if (at == measures.end()) return h;
   const std::size_t a = column(**at, over), b = column(**at, under);
-  for (const DoneTask* d : done) {
+  for (std::size_t run = 0; run < done.size(); ++run) {
+    const DoneTask* d = done[run];
     const FrameRows rows = read_frame_rows(*d, **at);
     if (frame >= rows.size() || rows[frame].empty() || d->left_out[frame]) continue;
     std::vector<double> centre, top, bottom;
@@ -44,6 +46,7 @@ Histograms histograms(const std::vector<const DoneTask*>& done, const std::vecto
     if (h.centre.empty()) h.centre = centre;
     if (h.centre != centre) continue;
     h.over.push_back(std::move(top)), h.under.push_back(std::move(bottom));
+    h.run.push_back(run);
   }
   return h;
 }
@@ -85,7 +88,7 @@ void add_peaks(const Histograms& h, const FrameSeries& series, std::size_t frame
     const std::string name = "rdf_peak" + std::to_string(k + 1);
     double error = peaks[k].error;
     const auto* alone = series.find(name + "_error");
-    if (h.over.size() == 1 && alone) error = (*alone)[0][frame];
+    if (h.over.size() == 1 && alone) error = (*alone)[h.run[0]][frame];
     found.push_back({name + "_pooled", peaks[k].n, peaks[k].value, error});
   }
 }

@@ -206,6 +206,12 @@ TEST(Compressed, CutShortOrDamaged) {
   }
 }
 
+TEST(Csv, WholeNumbersHaveNoThousands) {
+  EXPECT_NE(error_of([] { CsvFile::parse("i;x\n1,000;0,5\n", "a.csv").integers(0); }).find("a.csv:2:1"), std::string::npos);
+  EXPECT_NE(error_of([] { CsvFile::parse("i;x\n1,0;0.5\n", "a.csv").integers(0); }).find("a.csv:2:1"), std::string::npos);
+  EXPECT_EQ(CsvFile::parse("i;x\n1,0;0,5\n", "a.csv").integers(0), Integers{1});
+}
+
 TEST(Csv, FilesThatCannotBeRead) {
   const Folder folder;
   EXPECT_NE(error_of([&] { read_csv(folder / "none.csv"); }).find("none.csv: "), std::string::npos);

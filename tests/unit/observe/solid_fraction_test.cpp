@@ -92,6 +92,10 @@ TEST(Cylinder, IsNoSideOfTheBox) {
   const WallForces f = wall_forces(p, find_bonds(p));
   EXPECT_EQ(f.normal, (std::array<double, 6>{0, 0, 6, 0, 0, 0}));
   EXPECT_NEAR(f.pressure, 6 / (pi * 25) / 2, 1e-12);  // floor and lid
+  MeasureOptions options;
+  options.force_margin = 0.1;
+  const double inside = 5 - 0.1 * 2 * p.grains.radius[0];
+  EXPECT_NEAR(wall_forces(p, find_bonds(p), options).pressure, 6 / (pi * inside * inside) / 2, 1e-12);
   EXPECT_EQ(height_axis(p), 1);
   EXPECT_EQ(find_lid(p), &p.walls[2]);
 }

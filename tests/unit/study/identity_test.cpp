@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
+#include "jamscape/protocol/ledger.hpp"
+#include "jamscape/protocol/simulate.hpp"
 #include "jamscape/study/builtin.hpp"
 #include "jamscape/study/study.hpp"
 #include "small_study.hpp"
@@ -11,6 +16,25 @@ namespace jam {
 namespace {
 
 SystemOptions system() { return read_study_text(small_study, "s.toml").systems.at(1).options; }
+
+TEST(Identity, WallsThatOutrunTheGrainsAreOfAnotherRevision) {
+  SystemOptions box;
+  box.domain.walls = WallModel::flat;
+  box.stages.resize(1);
+  box.start.speed = 0.1, box.stages[0].speed = 0.1;
+  EXPECT_EQ(physics_revision(box), 1);
+  box.start.speed = 0;
+  EXPECT_EQ(physics_revision(box), 10);
+  box.domain.walls = WallModel::beads;
+  EXPECT_EQ(physics_revision(box), 1);
+}
+
+TEST(Identity, ALedgerThatIsNoNumberIsNotClosed) {
+  const double nan = std::nan("");
+  EXPECT_EQ(ledger_error(nan, 1, {1, 1}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(ledger_error(1, nan, {1, 1}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(ledger_error(1, 1, {1, 1}), 0);
+}
 
 TEST(Identity, NamesFramesAndWrittenDefaultsDoNotCount) {
   const SystemOptions a = system();
