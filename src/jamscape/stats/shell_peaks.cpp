@@ -13,7 +13,7 @@
 namespace jam {
 namespace {
 
-constexpr double kErrorsToStandOut = 4;    // between the extremes of some 50 bins chance makes 3
+constexpr double kErrorsOfAPeak = 4;    // between the extremes of some 50 bins chance makes 3
 constexpr double kLeastProminence = 0.05;  // of g; smaller ones are seen in no printed curve
 
 /// Mean over a bin and its neighbours, with the error of the counts.
@@ -65,7 +65,7 @@ class Curve {
     for (std::size_t k = 0; k < s_.g.size(); ++k)
       if (reaches(r_[k], lo) && !exceeds(r_[k], hi) && s_.g[k] < s_.g[low]) low = k;
     const double drop = s_.g[at] - s_.g[low];
-    return drop > kLeastProminence && drop > kErrorsToStandOut * std::hypot(s_.error[at], s_.error[low]);
+    return drop > kLeastProminence && drop > kErrorsOfAPeak * std::hypot(s_.error[at], s_.error[low]);
   }
 
   double place(std::size_t at) const {

@@ -63,7 +63,7 @@ std::string by_symbol(const std::string& key, const std::vector<std::string>& kn
   const std::string_view last = std::string_view(key).substr(group.size());
   for (const auto& [symbol, name] : symbols) {
     if (symbol != last) continue;
-    const std::string here = group + std::string(name), ending = "." + std::string(name);
+    const std::string here = group + std::string(name), ending = fmt::format(".{}", name);
     if (std::find(known.begin(), known.end(), here) != known.end()) return here;
     for (const std::string& k : known)
       if (k.ends_with(ending)) return k;
