@@ -63,9 +63,20 @@ class CsvFile::Scanner {
     separator_ = csv_.separator_.character;
     read_header();
     for (skip_remarks(); now_ != end_; skip_remarks()) read_row();
+    refuse_nameless();
   }
 
  private:
+  /// The first column may number the rows; any other without a name is what a decimal comma or a lost name leaves.
+  void refuse_nameless() const {
+    for (std::size_t c = 1; c < csv_.columns_.size(); ++c)
+      for (std::size_t r = 0; csv_.columns_[c].empty() && r < csv_.rows(); ++r)
+        if (!csv_.field(r, c).empty())
+          throw data_error(fmt::format("a column without a name holds '{}'", shown(csv_.field(r, c))), csv_.place(r, c),
+                           "name the column, or empty it; where numbers have decimal commas, put semicolons between "
+                           "the columns");
+  }
+
   void skip_remarks() {
     for (skip_blank_lines(); now_ != end_ && *now_ == '#'; skip_blank_lines()) read_remark();
   }

@@ -158,12 +158,14 @@ Edges chosen_edges(const CsvFile& csv, Edges all, WallRows walls, std::vector<st
   const auto overlap = find_column(csv, {"overlap", "delta", "penetration"});
   const std::vector<double> depth = overlap ? csv.numbers(*overlap) : std::vector<double>{};
   std::size_t of_walls = 0, apart = 0;
+  bool all_below = overlap && !all.i.empty();
   Edges edges;
   for (std::size_t row = 0; row < all.i.size(); ++row) {
     const bool wall = all.i[row] < 0 || all.j[row] < 0;
-    const bool open = overlap && depth[row] < 0;
+    const bool below = overlap && depth[row] < 0, open = below && all.force[row] == 0;  // as find_bonds() has it
     of_walls += wall;
     apart += open;
+    all_below = all_below && below;
     if (open || (wall && walls == WallRows::leave_out)) continue;
     edges.i.push_back(all.i[row]);
     edges.j.push_back(all.j[row]);
@@ -176,9 +178,9 @@ Edges chosen_edges(const CsvFile& csv, Edges all, WallRows walls, std::vector<st
                     "each wall a vertex",
                     of_walls, all.i.size()));
   if (apart > 0)
-    notes.push_back(
-        fmt::format("{} of {} rows have an overlap below 0: left out, nothing touches there", apart, all.i.size()));
-  if (apart > 0 && edges.i.empty())
+    notes.push_back(fmt::format("{} of {} rows have an overlap below 0 and no force: left out, nothing touches there",
+                                apart, all.i.size()));
+  if (all_below)
     throw data_error("all overlaps are below 0, so nothing touches", csv.place(0, *overlap),
                      "overlaps are positive where grains touch: turn their sign");
   if (walls == WallRows::keep) join_wall_rows(csv, edges, notes);

@@ -1,5 +1,7 @@
 #include "jamscape/observe/walls.hpp"
 
+#include <algorithm>
+
 #include "jamscape/observe/box.hpp"
 #include "jamscape/observe/box_sides.hpp"
 #include "jamscape/observe/entry.hpp"
@@ -32,7 +34,8 @@ double wall_virial(const Packing& p, const Bonds& bonds) {
   for (const std::uint32_t c : bonds.wall_contact)
     sum += dot(k.tangential_force[c] - k.normal_force[c] * k.normal[c], k.point[c] - centre);
   const double volume = box_volume(p);
-  return volume > 0 ? (0 - sum) / (p.dimension * volume) : 0;
+  const auto walled = std::count(p.domain.periodic.begin(), p.domain.periodic.begin() + p.dimension, false);
+  return volume > 0 && walled > 0 ? (0 - sum) / (static_cast<double>(walled) * volume) : 0;
 }
 
 }  // namespace
@@ -71,7 +74,8 @@ Measure walls_measure() {
        "wall is pushed outward. wall_pressure: mean over the walls of force over length (area) between the lines of "
        "bead centres of its neighbours; with force_margin > 0 contacts closer than that to another wall are left out "
        "and the lengths are shorter by twice as much. wall_virial_pressure = -(1/(D V)) sum over wall contacts of f.(p "
-       "- centre), f the force on the grain, p the contact point, V as for stress, centre the middle of the box: at "
+       "- centre), f the force on the grain, p the contact point, V as for stress, centre the middle of the box, D the "
+       "number of axes that are not periodic: at "
        "rest and without gravity the pressure of the measure stress. wall_pressure is larger by what walls hand to "
        "each other in the corners and along themselves, and as bead contacts lie inside the lines of centres. Walls "
        "that are not there have force 0; a cylinder, whose sum over all directions says nothing, is left out of "

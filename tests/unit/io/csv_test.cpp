@@ -207,9 +207,19 @@ TEST(Compressed, CutShortOrDamaged) {
 }
 
 TEST(Csv, WholeNumbersHaveNoThousands) {
-  EXPECT_NE(error_of([] { CsvFile::parse("i;x\n1,000;0,5\n", "a.csv").integers(0); }).find("a.csv:2:1"), std::string::npos);
-  EXPECT_NE(error_of([] { CsvFile::parse("i;x\n1,0;0.5\n", "a.csv").integers(0); }).find("a.csv:2:1"), std::string::npos);
+  EXPECT_NE(error_of([] { CsvFile::parse("i;x\n1,000;0,5\n", "a.csv").integers(0); }).find("a.csv:2:1"),
+            std::string::npos);
+  EXPECT_NE(error_of([] { CsvFile::parse("i;x\n1,0;0.5\n", "a.csv").integers(0); }).find("a.csv:2:1"),
+            std::string::npos);
   EXPECT_EQ(CsvFile::parse("i;x\n1,0;0,5\n", "a.csv").integers(0), Integers{1});
+}
+
+TEST(Csv, ColumnsWithoutANameHoldNothing) {
+  const auto parse = [](const char* text) { return [text] { CsvFile::parse(text, "a.csv"); }; };
+  EXPECT_NE(error_of(parse("id1,id2,fn,\n1,2,1,5\n")).find("a.csv:2:7: a column without a name holds '5'"),
+            std::string::npos);
+  CsvFile::parse("id1,id2,fn,\n1,2,1,\n", "a.csv");
+  CsvFile::parse(",i,j,force\n0,1,2,3\n", "a.csv");
 }
 
 TEST(Csv, FilesThatCannotBeRead) {

@@ -108,6 +108,7 @@ TEST_F(NetworkFile, RowsThatDoNotTouchAreLeftOut) {
   const NamedGraph network = read("id1,id2,fn,overlap\n0,1,1,0.1\n1,2,0,-0.1\n0,2,0,0\n");
   expect_graph(network, {0, 1, 2}, {0, 0}, {1, 2}, {1, 0});
   EXPECT_TRUE(noted(network, "1 of 3 rows have an overlap below 0"));
+  expect_graph(read("id1,id2,fn,overlap\n0,1,1,0.1\n1,2,2,-0.1\n"), {0, 1, 2}, {0, 1}, {1, 2}, {1, 2});
   EXPECT_NE(error("id1,id2,fn,overlap\n0,1,1,-0.1\n").find("turn their sign"), std::string::npos);
 }
 

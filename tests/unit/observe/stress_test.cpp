@@ -116,6 +116,9 @@ TEST(WallForces, OfAWedgedGrainPressNothing) {
   EXPECT_DOUBLE_EQ(wall_forces(p, find_bonds(p)).pressure, 2 * 6.0 / 10 / 4);
   EXPECT_NEAR(wall_forces(p, find_bonds(p)).virial, pressure(p), 1e-15);
   EXPECT_NEAR(wall_forces(p, find_bonds(p)).virial, 0.03, 1e-15);  // 6 at half a grain from the corner, twice, over D V
+  p.domain.periodic[0] = true;
+  EXPECT_NEAR(wall_forces(p, find_bonds(p)).virial, 0.06, 1e-15);  // of one axis
+  p.domain.periodic[0] = false;
   MeasureOptions away;
   away.force_margin = 1;
   EXPECT_EQ(wall_forces(p, find_bonds(p), away).pressure, 0);
