@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "jamscape/base/progress.hpp"
@@ -11,7 +12,8 @@ namespace jam::app {
 namespace {
 
 constexpr double rate_window = 30;    // seconds over which the rate is averaged
-constexpr double json_interval = 10;  // seconds between lines of progress
+constexpr double line_interval = 10;  // seconds between lines of progress at least
+constexpr double quiet_time = 300;    // seconds after which a plain line comes even where a percent is not full
 
 }  // namespace
 
@@ -132,7 +134,7 @@ Monitor::Totals Monitor::totals() {
   return t;
 }
 
-void Monitor::draw_bar(const Totals& t) {
+std::vector<std::string> Monitor::notes(const Totals& t) const {
   std::vector<std::string> notes = {fmt::format("{}/{} runs", t.ended, t.tasks)};
   if (failures_ > 0) notes.push_back(fmt::format("{} failed", failures_));
   if (t.seconds_left >= 0 && t.ended < t.tasks) notes.push_back(print_duration(t.seconds_left) + " left");
@@ -141,21 +143,36 @@ void Monitor::draw_bar(const Totals& t) {
                                                 : fmt::format("phi {:.3f}-{:.3f}", t.lowest, t.highest));
     notes.push_back(fmt::format("{:.1f} M grain-steps/s", t.rate / 1e6));
   }
-  put(fmt::format("\r{}\033[K", print_bar(t.cost > 0 ? t.behind / t.cost : 0, notes, terminal_width() - 1)));
+  return notes;
+}
+
+void Monitor::draw_bar(const Totals& t) {
+  put(fmt::format("\r{}\033[K", print_bar(t.fraction(), notes(t), terminal_width() - 1)));
   bar_drawn_ = true;
+}
+
+/// Of a run of days a line a percent is enough.
+void Monitor::print_line(const Totals& t) {
+  const double now = samples_.back().first, since = now - last_line_;
+  const bool first = last_fraction_ < 0, ended = t.ended == t.tasks;
+  if (!first && !ended && (since < line_interval || (t.fraction() - last_fraction_ < 0.01 && since < quiet_time)))
+    return;
+  if (ended && last_fraction_ >= 1) return;
+  last_line_ = now, last_fraction_ = t.fraction();
+  line(fmt::format("{:3.0f} %  {}", std::floor(100 * t.fraction()), fmt::join(notes(t), "  ")));
 }
 
 void Monitor::print_json(const Totals& t) {
   const double now = samples_.back().first;
-  if (now - last_json_ < json_interval && t.ended < t.tasks) return;
-  last_json_ = now;
+  if (now - last_line_ < line_interval && t.ended < t.tasks) return;
+  last_line_ = now;
   nlohmann::json json{{"event", "progress"},
                       {"done", t.ended},
                       {"tasks", t.tasks},
                       {"running", t.running},
                       {"failed", failures_},
                       {"grain_steps_per_second", t.rate},
-                      {"fraction", t.cost > 0 ? t.behind / t.cost : 1.0}};
+                      {"fraction", t.fraction()}};
   if (t.seconds_left >= 0) json["seconds_left"] = t.seconds_left;
   for (const std::size_t k : mine_)
     if (const State& s = states_[k]; s.phase == Phase::simulating && s.seen)
@@ -170,6 +187,8 @@ void Monitor::tick() {
   const Totals t = totals();
   if (show_ == Show::bar)
     draw_bar(t);
+  else if (show_ == Show::lines)
+    print_line(t);
   else
     print_json(t);
 }

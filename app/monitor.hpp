@@ -1,4 +1,5 @@
-// How a run is shown while it goes: a bar on a terminal, lines of JSON elsewhere, or nothing.
+// How a run is shown while it goes: a bar on a terminal, plain lines in a file or a pipe, lines of JSON for programs, or
+// nothing.
 #pragma once
 
 #include <chrono>
@@ -14,7 +15,7 @@
 
 namespace jam::app {
 
-enum class Show { bar, json, nothing };
+enum class Show { bar, lines, json, nothing };
 
 class Monitor : public RunListener {
  public:
@@ -49,6 +50,8 @@ class Monitor : public RunListener {
     std::size_t ended = 0, running = 0, tasks = 0;
     double lowest = 0, highest = 0;  ///< packing fractions of running tasks
     double rate = 0, seconds_left = -1;
+
+    double fraction() const { return cost > 0 ? behind / cost : 1; }
   };
 
   Totals totals();
@@ -57,7 +60,9 @@ class Monitor : public RunListener {
   /// A reader who is gone ends the showing, not the run.
   void put(const std::string& text);
   void line(const std::string& text);
+  std::vector<std::string> notes(const Totals& t) const;
   void draw_bar(const Totals& t);
+  void print_line(const Totals& t);
   void print_json(const Totals& t);
 
   const Study& study_;
@@ -70,7 +75,8 @@ class Monitor : public RunListener {
   std::size_t failures_ = 0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::deque<std::pair<double, double>> samples_;  ///< seconds, grain-steps gained by then
-  double last_json_ = -1e9;
+  double last_line_ = -1e9;     ///< seconds, of the last line of progress
+  double last_fraction_ = -1;  ///< and how far the run was then
   bool bar_drawn_ = false;
 };
 

@@ -119,7 +119,10 @@ ExitCode run(const RunArguments& a) {
 
   RunResult result;
   {
-    const Show show = a.quiet ? Show::nothing : a.json || !progress_terminal() ? Show::json : Show::bar;
+    const Show show = a.quiet               ? Show::nothing
+                      : a.json              ? Show::json
+                      : progress_terminal() ? Show::bar
+                                            : Show::lines;
     Monitor monitor(study, tasks, order_tasks(tasks, options.shard), show, a.json ? stdout : stderr);
     result = run_tasks(study, tasks, out, options, monitor);
   }
@@ -165,7 +168,7 @@ void add_run(CLI::App& program, Action& action) {
   sub->add_option("--checkpoint", a->checkpoint, "seconds between checkpoints of a simulation")
       ->check(CLI::Range(0.0, 1e6));
   sub->add_flag("--dry-run", a->dry_run, "list the simulations and what they cost; run nothing");
-  sub->add_flag("--json", a->json, "progress and summary as lines of JSON on standard output");
+  sub->add_flag("--json", a->json, "progress and summary as lines of JSON on standard output (without it: a bar on a terminal, else plain lines)");
   sub->add_flag("--quiet,-q", a->quiet, "say nothing but errors");
   sub->add_flag("--strict", a->strict, "end with exit code 4 when a relaxation did not converge or a frame is marked");
   sub->callback([a, &action] { action = [a] { return run(*a); }; });

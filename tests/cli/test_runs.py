@@ -14,6 +14,8 @@ class Runs(Case):
         out = self.program("run", "tiny.toml", "--out", "out")
         self.assertIn("rho_c", out.stdout)
         self.assertIn("report.html", out.stdout)
+        self.assertRegex(out.stderr, r"(?m)^100 %  4/4 runs", "no terminal: plain lines")
+        self.assertNotIn("{", out.stderr)
         for file in ("study.toml", "report.html", "tables/frames.csv", "ensemble/frames.csv", "ensemble/transitions.csv"):
             self.assertTrue((self.folder / "out" / file).is_file(), file)
         rows = self.rows("out/tables/frames.csv")
