@@ -126,6 +126,12 @@ void Engine<D>::save(Archive& out) const {
   out["engine/box"] = reals(box_.length);
   out["engine/scalars"] =
       std::vector<double>{box_speed_, skin_, moved_, damped_, rubbed_, wall_work_, gravity_work_, dt_};
+  if (summed_) {  // springs and ledger have had this step
+    std::vector<double> wall_force;
+    for (const Vec<D>& f : wall_force_) wall_force.insert(wall_force.end(), f.c, f.c + D);
+    out["engine/forces"] = reals(bodies_.forces);
+    out["engine/wall_force"] = wall_force;
+  }
   if (fastest_plane() > 0 || planes_moved_ > 0) out["engine/planes_moved"] = std::vector<double>{planes_moved_};
   Tally tally{};
   for (const Sums& sums : sums_)
@@ -202,8 +208,16 @@ void Engine<D>::load(const Archive& in) {
   watch_until_ = -1;  // near pairs are looked through anew
   step_ = counters[3], lists_ = counters[4], stale_ = counters[5] != 0;
   if (!planes && fastest_plane() > 0) stale_ = true;  // of a version that did not count how far planes move
+  summed_ = in.contains("engine/forces");
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
   std::fill(wall_force_.begin(), wall_force_.end(), Vec<D>{});
+  if (!summed_) return;
+  std::vector<double> wall_force(walls_.size() * D);
+  take(in, "engine/forces", bodies_.forces, true);
+  take(in, "engine/wall_force", wall_force, true);
+  for (std::size_t w = 0; w < walls_.size(); ++w) std::copy_n(wall_force.data() + w * D, D, wall_force_[w].c);
+  for (Sums& sums : sums_) sums.fastest = {};
+  few_pushed_ = false;  // leaves out nothing: no bit depends on it
 }
 
 template void Engine<2>::save(Archive&) const;

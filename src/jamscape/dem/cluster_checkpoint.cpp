@@ -84,6 +84,9 @@ void ClusterEngine::save(Archive& out) const {
   out["clusters/end_spring"] = components(ends_.spring);
   out["clusters/wall_position"] = wall_position;
   out["clusters/wall_velocity"] = wall_velocity;
+  if (!summed_) return;  // otherwise springs and ledger have had this step
+  out["clusters/forces"] = reals(bodies_.forces);
+  out["clusters/wall_force"] = components(wall_force_);
 }
 
 void ClusterEngine::load(const Archive& in) {
@@ -131,7 +134,6 @@ void ClusterEngine::load(const Archive& in) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     walls_[w].position = position[w];
     walls_[w].velocity = velocity[w];
-    wall_force_[w] = Vec3{};
   }
   const auto arms = static_cast<std::uint32_t>(bodies_.arm_count());
   bool sound = pairs % block == 0 && pairs_.count <= pairs;
@@ -140,6 +142,14 @@ void ClusterEngine::load(const Archive& in) {
   for (std::size_t q = 0; q < ends; ++q) sound = sound && ends_.wall[q] < walls_.size() && ends_.arm[q] < arms;
   if (!sound) throw data_error("the checkpoint's lists are inconsistent", {}, remedy);
   contacts_.resize(pairs);
+  forget_forces();
+  summed_ = in.contains("clusters/forces");
+  if (summed_) {
+    std::vector<double> wall_force;
+    take(in, "clusters/forces", bodies_.forces, n * ClusterRow::force_stride);
+    take(in, "clusters/wall_force", wall_force, 3 * walls_.size());
+    for (std::size_t w = 0; w < walls_.size(); ++w) wall_force_[w] = vec3(wall_force.data() + 3 * w);
+  }
   step_ = counters[2], lists_ = counters[3], stale_ = counters[4] != 0;
   wall_skin_ = scalars[1], walls_moved_ = scalars[2];
   damped_ = scalars[3], rubbed_ = scalars[4], wall_work_ = scalars[5], gravity_work_ = scalars[6];

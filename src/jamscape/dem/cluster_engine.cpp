@@ -62,17 +62,33 @@ ClusterEngine::ClusterEngine(const ClusterSetup& setup, const ClusterKernels& ke
 
 void ClusterEngine::add(const ClusterBodies& bodies) {
   const auto first_new = static_cast<std::uint32_t>(bodies_.count());
+  const bool summed = summed_;
+  forget_forces();
   append_bodies(bodies_, bodies, shapes_, density_, planar_);
   start_in_step(first_new);
+  if (!summed) return;
+  sum_without_clock();  // those that were there have had this step's springs and ledger
+  summed_ = stale_ = true;
+}
+
+void ClusterEngine::forget_forces() {
+  std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
+  std::fill(wall_force_.begin(), wall_force_.end(), Vec3{});
+  summed_ = false;
+}
+
+/// Forces at this instant; springs do not grow, and no work is booked.
+void ClusterEngine::sum_without_clock() {
+  const double dt = dt_;
+  dt_ = 0;
+  sum_forces();
+  dt_ = dt;
 }
 
 /// The given velocities belong to this instant: those of bodies from `first_new` on are put back by half a step.
 void ClusterEngine::start_in_step(std::uint32_t first_new) {
   stale_ = true;
-  const double dt = dt_;
-  dt_ = 0;
-  compute_forces();
-  dt_ = dt;
+  sum_without_clock();
   for (std::size_t k = 0; k < bodies_.count(); ++k) {
     if (bodies_.id[k] < first_new) continue;
     const double *torque = bodies_.force(k) + 4, *inverse = bodies_.inverse.data() + k * R::force_stride;
@@ -82,8 +98,7 @@ void ClusterEngine::start_in_step(std::uint32_t first_new) {
       bodies_.momentum[4 * k + c] -= torque[c] * (dt_ / 2);
     }
   }
-  std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
-  std::fill(wall_force_.begin(), wall_force_.end(), Vec3{});
+  forget_forces();
   refresh(bodies_);
   stale_ = true;  // skins were chosen for no time
 }
@@ -128,6 +143,12 @@ void ClusterEngine::relist() {
 }
 
 void ClusterEngine::compute_forces() {
+  if (summed_) return;
+  sum_forces();
+  summed_ = true;
+}
+
+void ClusterEngine::sum_forces() {
   if (stale_) relist();
   ClusterTally tally{};
   const PressRule rule{grain_law_, kind_, parallel_, parallel_sine2_, dt_};
@@ -149,6 +170,16 @@ void ClusterEngine::compute_forces() {
   touch_walls();
   for (std::size_t w = 0; w < walls_.size(); ++w)
     wall_work_ -= wall_force_[w][walls_[w].axis] * walls_[w].velocity * dt_;
+  gravity_work_ += weight_power() * dt_;
+}
+
+/// Of gravity, at the velocities that the forces see.
+double ClusterEngine::weight_power() const {
+  double power = 0;
+  if (dot(gravity_, gravity_) == 0) return power;
+  for (std::size_t k = 0; k < bodies_.count(); ++k)
+    power += dot(bodies_.row(k)[R::mass] * gravity_, vec3(bodies_.row(k) + R::velocity));
+  return power;
 }
 
 /// Springs of pairs that touched at the last step and do not now.
@@ -199,10 +230,14 @@ void ClusterEngine::touch_walls() {
   with_law(kind_, [&]<NormalLaw law>() { wall_law_.mu > 0 ? touch_walls<law, true>() : touch_walls<law, false>(); });
 }
 
-void ClusterEngine::advance() {
+void ClusterEngine::run(std::int64_t n) {
+  for (; n > 0; --n) make_step();
+}
+
+void ClusterEngine::make_step() {
+  compute_forces();
   MotionArrays motion = motion_arrays(bodies_, dt_, gravity_);
   kernels_->integrate(motion);
-  gravity_work_ += motion.power * dt_;
   double fastest_wall = 0;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     walls_[w].position += walls_[w].velocity * dt_;
@@ -211,15 +246,9 @@ void ClusterEngine::advance() {
   }
   walls_moved_ += fastest_wall * dt_;
   stale_ = stale_ || motion.outrun || !(walls_moved_ < wall_skin_);
+  summed_ = false;
   ++step_;
   if (step_ % 1024 == 0) check();
-}
-
-void ClusterEngine::run(std::int64_t n) {
-  for (; n > 0; --n) {
-    compute_forces();
-    advance();
-  }
 }
 
 double ClusterEngine::kinetic_energy() const {

@@ -1,7 +1,5 @@
-// Rigid clusters of spherocylinders in motion (theory sec. 3): the sibling of Engine for bodies made of arms. A step is
-//
-//   compute_forces()   forces at the present positions; after it record() shows this instant
-//   advance()          integrates to the next
+// Rigid clusters of spherocylinders in motion (theory sec. 3): the sibling of Engine for bodies made of arms, with the
+// same clock: run(n) makes n steps; forces asked for at an instant are kept until the clock goes on, and booked once.
 //
 // Two arms of different bodies have at most one contact, at their closest points; a wall touches the two ends of an
 // arm, each with a contact of its own. Springs are kept by (body, arm, body, arm) and by (wall, body, arm, end), from
@@ -52,15 +50,15 @@ class ClusterEngine {
   /// Throws a usage error for bodies that name no shape or do not fit the dimension, Diverged for axes that cross.
   explicit ClusterEngine(const ClusterSetup& setup, const ClusterKernels& kernels = best_cluster_kernels());
 
-  /// Forces at the present positions and half-step velocities. Throws Diverged.
+  /// Forces at the present positions and half-step velocities, unless they are known. Throws Diverged.
   void compute_forces();
-  /// Moves bodies and walls by one time step.
-  void advance();
-  /// `n` whole steps; the state then awaits compute_forces().
+  /// One time step.
+  void advance() { run(1); }
+  /// `n` time steps. Throws Diverged.
   void run(std::int64_t n);
 
-  /// This instant in full, between compute_forces() and advance(). Checks the contacts against the forces just summed.
-  Packing record() const;
+  /// This instant in full. Checks the contacts against the forces; throws Diverged.
+  Packing record();
 
   /// Translation and rotation, with the velocities the forces see (half a step behind).
   double kinetic_energy() const;
@@ -73,17 +71,20 @@ class ClusterEngine {
   const std::vector<ClusterWall>& walls() const { return walls_; }
   /// Of a plane, along its axis.
   void set_wall_velocity(std::size_t wall, double velocity) { walls_[wall].velocity = velocity; }
-  /// Puts a plane elsewhere along its axis, where it touches nobody or does so from the next compute_forces() on.
+  /// Puts a plane elsewhere along its axis, where it touches nobody or does so from the next instant on, if the forces
+  /// of this one are known.
   void place_wall(std::size_t wall, double position) {
     walls_[wall].position = position;
     stale_ = true;
   }
   /// Where the bodies end along an axis: the largest coordinate of their surfaces. 0 without bodies.
   double highest(int axis) const;
-  /// Of the grains on the wall, at the last compute_forces().
-  Vec3 wall_force(std::size_t wall) const { return wall_force_[wall]; }
-  /// More bodies from now on, before compute_forces(); their ids follow on. The constant of the energy ledger rises by
-  /// their kinetic energy.
+  /// Of the grains on the wall, at this instant.
+  Vec3 wall_force(std::size_t wall) {
+    compute_forces();
+    return wall_force_[wall];
+  }
+  /// More bodies from now on; their ids follow on. The constant of the energy ledger rises by their kinetic energy.
   void add(const ClusterBodies& bodies);
   /// Finds numbers that are none; throws Diverged.
   void check() const;
@@ -96,13 +97,18 @@ class ClusterEngine {
  private:
   void place(const ClusterBodies& bodies);
   void start_in_step(std::uint32_t first_new);
+  void sum_without_clock();
+  void forget_forces();
+  void sum_forces();
+  void make_step();
+  double weight_power() const;
   void relist();
   void choose_skins();
   void forget_parted();
   void touch_walls();
   template <NormalLaw law, bool friction>
   void touch_walls();
-  /// At the last compute_forces(), its weight included.
+  /// At this instant, its weight included.
   Vec3 force_on(std::size_t k) const { return vec3(bodies_.force(k)) + bodies_.row(k)[ClusterRow::mass] * gravity_; }
   [[noreturn]] void fail(std::size_t body, const std::string& problem) const;
   [[noreturn]] void fail_deep() const;
@@ -122,12 +128,13 @@ class ClusterEngine {
   std::vector<ClusterWall> walls_;
   std::vector<Vec3> wall_force_;
   ArmPairs pairs_;
-  ArmContacts contacts_;  ///< of the last compute_forces()
+  ArmContacts contacts_;  ///< of the last forces
   WallEnds ends_;
 
   std::int64_t step_ = 0;
   double wall_skin_ = 0, walls_moved_ = 0;  ///< as skin and moved of the bodies, for the walls
   bool stale_ = true;
+  bool summed_ = false;     ///< the forces of this instant are known, and booked
   std::int64_t lists_ = 0;  ///< made so far; bodies are reordered at some of them
   double damped_ = 0, rubbed_ = 0, wall_work_ = 0, gravity_work_ = 0;
 };

@@ -81,7 +81,6 @@ MotionArrays motion_arrays(ClusterState& b, double dt, const Vec3& gravity) {
           .dt = dt,
           .gravity = {gravity[0], gravity[1], gravity[2], 0},
           .centred = b.centred,
-          .power = 0,
           .outrun = false};
 }
 

@@ -103,8 +103,7 @@ struct MotionArrays {
   double dt;
   alignas(32) double gravity[4];  ///< acceleration, and 0
   bool centred;
-  double power;  ///< out: of gravity, at the velocities that the forces saw
-  bool outrun;   ///< out: a body has moved farther than its skin
+  bool outrun;  ///< out: a body has moved farther than its skin
 };
 
 CollectArrays collect_arrays(const ClusterState& bodies, const ArmPairs& pairs, ArmContacts& out);

@@ -148,8 +148,7 @@ inline void place_arms(MotionArrays& b, std::size_t k, const FrameRows& f) {
 JAM_INLINE void kick_and_drift(MotionArrays& b, std::size_t k) {
   using R = ClusterRow;
   double *row = b.rows + k * R::stride, *force = b.forces + k * R::force_stride;
-  const Four weight = row[R::mass] * four(b.gravity), power = weight * four(row + R::velocity);
-  b.power += power[0] + power[1] + power[2];
+  const Four weight = row[R::mass] * four(b.gravity);
   four(row + R::velocity) += (four(force) + weight) * four(b.inverse + k * R::force_stride) * b.dt;
   four(row) += four(row + R::velocity) * b.dt;
   four(b.momentum + 4 * k) += four(force + 4) * b.dt;

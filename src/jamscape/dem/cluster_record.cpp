@@ -77,7 +77,8 @@ void describe_walls(Packing& out, const std::vector<ClusterWall>& walls, const s
 
 }  // namespace
 
-Packing ClusterEngine::record() const {
+Packing ClusterEngine::record() {
+  compute_forces();
   Packing out;
   out.dimension = planar_ ? 2 : 3;
   out.step = step_;
@@ -179,10 +180,7 @@ Packing ClusterEngine::record() const {
   out.energy.damped = damped_;
   out.energy.rubbed = hertzian(kind_) ? rubbed_ - energy.tangential : rubbed_;
   out.energy.wall_work = wall_work_;
-  double power = 0;  // of this step, which advance() will book
-  for (std::size_t k = 0; k < n; ++k)
-    power += dot(bodies_.row(k)[R::mass] * gravity_, vec3(bodies_.row(k) + R::velocity));
-  out.energy.gravity_work = gravity_work_ + power * dt_;
+  out.energy.gravity_work = gravity_work_;
   return out;
 }
 

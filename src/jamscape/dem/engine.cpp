@@ -85,6 +85,7 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
       }
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
   std::fill(wall_force_.begin(), wall_force_.end(), Vec<D>{});
+  summed_ = false;
   damped_ = rubbed_ = wall_work_ = gravity_work_ = 0;
 }
 
@@ -145,7 +146,7 @@ void Engine<D>::check_speed(double bound) const {
 template <int D>
 std::string Engine<D>::likely_cause(const std::string& otherwise) const {
   constexpr double overfull = D == 2 ? 0.95 : 0.8;  // of the box: everything overlaps by some percent
-  constexpr double steps_needed = 8, deep = 0.1;   // time steps a contact lasts; overlap over diameter
+  constexpr double steps_needed = 8, deep = 0.1;    // time steps a contact lasts; overlap over diameter
   double room = 1;
   for (int axis = 0; axis < D; ++axis) {
     double lo = 0, hi = box_.length[static_cast<std::size_t>(axis)];

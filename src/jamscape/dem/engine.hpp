@@ -1,10 +1,12 @@
-// One simulation in motion: bodies, pair list, walls and the clock. A step is
+// One simulation in motion: bodies, pair list, walls and the clock.
 //
-//   compute_forces()   forces at the present positions; after it record() shows this instant
-//   advance()          integrates to the next
-//   run()              both at once: a stretch of grains is moved as soon as the forces on it are known
+//   run(n)             n steps: the forces of an instant, and the motion to the next; a stretch of grains is moved as
+//   soon
+//                      as the forces on it are known
+//   compute_forces()   the forces of this instant alone. They are kept until the clock goes on: whoever asks again, for
+//                      them or for a record, books nothing twice, and run() goes on from them
 //
-// Energies are booked as they go, so that the ledger of a record closes to the integrator's order.
+// Energies are booked with the forces, so that the ledger of a record closes to the integrator's order.
 #pragma once
 
 #include <array>
@@ -65,16 +67,17 @@ class Engine {
   /// How many threads share a step; they change no bit of it. Packings of one part (see Parts) are stepped by one.
   void set_threads(int threads);
 
-  /// Forces at the present positions and half-step (Verlet) or predicted (Gear) velocities. Throws Diverged.
+  /// Forces at the present positions and half-step (Verlet) or predicted (Gear) velocities, unless they are known.
+  /// Throws Diverged.
   void compute_forces();
-  /// Moves bodies and walls by one time step.
-  void advance();
-  /// `n` whole steps; the state then awaits compute_forces().
+  /// One time step.
+  void advance() { run(1); }
+  /// `n` time steps. Throws Diverged.
   void run(std::int64_t n);
 
-  /// This instant in full, between compute_forces() and advance(). Checks the contacts against the forces just summed,
-  /// and that no grain is outside the box; throws Diverged.
-  Packing record() const;
+  /// This instant in full. Checks the contacts against the forces, and that no grain is outside the box; throws
+  /// Diverged.
+  Packing record();
 
   /// Translation and rotation, with the velocities the forces see (Verlet: half a step behind).
   double kinetic_energy() const;
@@ -151,7 +154,7 @@ class Engine {
   std::vector<Sums> sums_;  ///< by part with grains
   std::vector<EngineWall<D>> walls_;
   std::vector<std::size_t> first_bead_;  ///< of each wall, a body index
-  std::vector<Vec<D>> wall_force_;       ///< of the last compute_forces()
+  std::vector<Vec<D>> wall_force_;       ///< at this instant, where the forces are known; else 0
   Periodic<D> box_;
   double box_speed_ = 0;
   Vec<D> gravity_{};
@@ -173,6 +176,7 @@ class Engine {
   double skin_ = 0, moved_ = 0;  ///< moved_: no body has gone farther since the list was made
   double planes_moved_ = 0;      ///< and no plane
   bool stale_ = true;
+  bool summed_ = false;     ///< the forces of this instant are known, and booked
   std::int64_t lists_ = 0;  ///< made so far; grains are reordered at some of them
   double damped_ = 0, rubbed_ = 0, wall_work_ = 0, gravity_work_ = 0;
 };

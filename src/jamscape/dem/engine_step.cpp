@@ -17,17 +17,11 @@ double sum(const double (&slots)[block]) {
 
 template <int D>
 void Engine<D>::compute_forces() {
+  if (summed_) return;
   begin_sums();
   team_->run(parts_.with_grains(), [&](std::size_t part) { sum_own(part, false); });
   add_up();
-}
-
-template <int D>
-void Engine<D>::advance() {
-  team_->run(parts_.with_grains(), [&](std::size_t part) {
-    for (auto [stretch, end] = parts_.stretches_of(part); stretch < end; ++stretch) move_bodies(part, stretch);
-  });
-  end_step();
+  summed_ = true;
 }
 
 template <int D>
@@ -37,10 +31,17 @@ void Engine<D>::run(std::int64_t n) {
 
 template <int D>
 void Engine<D>::make_step() {
-  begin_sums();
-  team_->run(parts_.with_grains(), [&](std::size_t part) { sum_own(part, true); });
-  add_up();
+  if (summed_) {
+    team_->run(parts_.with_grains(), [&](std::size_t part) {
+      for (auto [stretch, end] = parts_.stretches_of(part); stretch < end; ++stretch) move_bodies(part, stretch);
+    });
+  } else {
+    begin_sums();
+    team_->run(parts_.with_grains(), [&](std::size_t part) { sum_own(part, true); });
+    add_up();
+  }
   end_step();
+  summed_ = false;
 }
 
 /// Whatever comes before the pairs within parts.
@@ -179,7 +180,6 @@ void Engine<D>::shrink_box() {
 
 #define JAM_INSTANTIATE(D)                                        \
   template void Engine<D>::compute_forces();                      \
-  template void Engine<D>::advance();                             \
   template void Engine<D>::run(std::int64_t);                     \
   template void Engine<D>::make_step();                           \
   template void Engine<D>::begin_sums();                          \

@@ -66,8 +66,9 @@ void sort_contacts(Contacts& c) {
 }  // namespace
 
 template <int D>
-Packing Engine<D>::record() const {
+Packing Engine<D>::record() {
   using R = Row<D>;
+  compute_forces();
   check_inside();
   Packing out;
   out.dimension = D;
@@ -226,7 +227,7 @@ Packing Engine<D>::record() const {
   return out;
 }
 
-template Packing Engine<2>::record() const;
-template Packing Engine<3>::record() const;
+template Packing Engine<2>::record();
+template Packing Engine<3>::record();
 
 }  // namespace jam

@@ -2,7 +2,7 @@
 //
 //   engine()             the simulation
 //   begin(leg)           sets the walls in motion for this leg
-//   reached(leg)         a press leg has its force (forces summed)
+//   reached(leg)         a press leg has its force
 //   work_per_glance      grain-steps between two glances at the clock: about a millisecond
 //   packing_fraction()   now, in the study's convention; packing_fraction_plain() with the true grain area (volume)
 #pragma once
@@ -45,7 +45,7 @@ class ContainerScene {
 
   ClusterEngine& engine() { return engine_; }
   void begin(const Leg& leg);
-  bool reached(const Leg& leg) const { return engine_.wall_force(lid())[1] >= leg.force; }
+  bool reached(const Leg& leg) { return engine_.wall_force(lid())[1] >= leg.force; }
   /// Up to the lid, or to the highest body while the lid is not there yet.
   double packing_fraction() const;
   double packing_fraction_plain() const { return packing_fraction(); }

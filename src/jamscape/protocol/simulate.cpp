@@ -38,10 +38,8 @@ class Run {
                   1, static_cast<std::int64_t>(Scene::work_per_glance / static_cast<double>(system_.grains.count)));
     Clock::time_point due = Clock::now() + between_looks;
     for (std::int64_t next_look = engine_.step() + look;;) {
-      const bool forces_summed = take_frames_and_turn();
+      take_frames_and_turn();
       if (leg_ == table_.legs.size()) return Outcome::finished;
-      // A frame leaves the forces summed; only advance() may follow.
-      if (forces_summed) engine_.advance();
       engine_.run(std::min(next_look, next_event()) - engine_.step());
       if (engine_.step() < next_look) continue;
       next_look = engine_.step() + look;
@@ -72,22 +70,20 @@ class Run {
   }
 
   /// Everything that happens at this step before the clock goes on: a sample of the energies, frames, the next leg.
-  /// True: forces are summed.
-  bool take_frames_and_turn() {
-    bool summed = watch();
+  void take_frames_and_turn() {
+    watch();
     while (leg_ < table_.legs.size()) {
       const bool known = table_.legs[leg_].kind == LegKind::move;
       if (known && leg_over())
         begin_leg(leg_ + 1);
       else if (frame_due())
-        deliver_frame(summed), summed = true;
+        deliver_frame();
       else if (!known && leg_over())  // its frame is taken before the walls change their motion
         begin_leg(leg_ + 1);
       else
-        return summed;
+        return;
     }
-    while (frame_due()) deliver_frame(summed), summed = true;
-    return summed;
+    while (frame_due()) deliver_frame();
   }
 
   bool leg_over() const {
@@ -109,32 +105,25 @@ class Run {
     return table_.legs[leg_].kind != LegKind::move ? leg_over() : engine_.step() >= leg_begin_ + place.offset;
   }
 
-  /// Looks whether a leg of unknown length is over. True: forces are summed.
-  bool watch() {
-    if (leg_ == table_.legs.size() || leg_over()) return false;
+  /// Looks whether a leg of unknown length is over.
+  void watch() {
+    if (leg_ == table_.legs.size() || leg_over()) return;
     const Leg& leg = table_.legs[leg_];
-    if (leg.kind == LegKind::press) {
-      engine_.compute_forces();
-      pressed_ = scene_.reached(leg);
-      return true;
-    }
-    if (leg.kind != LegKind::relax || engine_.step() < leg_begin_ + relaxation_.next_sample()) return false;
+    if (leg.kind == LegKind::press) pressed_ = scene_.reached(leg);
+    if (leg.kind != LegKind::relax || engine_.step() < leg_begin_ + relaxation_.next_sample()) return;
     double elastic = 0;
     if (relaxation_.wants_elastic()) {
       const ElasticEnergy e = engine_.elastic_energy();
       elastic = e.normal + e.tangential;
     }
     relaxation_.add_sample(engine_.kinetic_energy(), elastic);
-    if (!relaxation_.wants_forces()) return false;
-    engine_.compute_forces();
-    relaxation_.judge_forces(unbalanced_part(engine_.record(), system_.domain.gravity));
-    return true;
+    if (relaxation_.wants_forces()) relaxation_.judge_forces(unbalanced_part(engine_.record(), system_.domain.gravity));
   }
 
   /// The next step at which something happens.
   std::int64_t next_event() const {
     const Leg& leg = table_.legs[leg_];
-    if (leg.kind == LegKind::press) return engine_.step();  // watched after every step
+    if (leg.kind == LegKind::press) return engine_.step() + 1;  // watched after every step
     if (leg.kind == LegKind::relax) return leg_begin_ + relaxation_.next_sample();
     std::int64_t next = leg_begin_ + leg.steps;
     if (next_frame_ < table_.places.size() && table_.places[next_frame_].leg == leg_)
@@ -164,8 +153,7 @@ class Run {
         system_.integrator.scheme == Scheme::verlet ? "" : ", or integrator.scheme = \"verlet\""));
   }
 
-  void deliver_frame(bool summed) {
-    if (!summed) engine_.compute_forces();
+  void deliver_frame() {
     Packing packing = engine_.record();
     check_ledger(packing.energy);
     packing.packing_fraction = scene_.packing_fraction();
