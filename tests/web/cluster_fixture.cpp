@@ -12,6 +12,7 @@
 #include "jamscape/geometry/cluster_shape.hpp"
 #include "jamscape/geometry/segments.hpp"
 #include "jamscape/io/run_file.hpp"
+#include "jamscape/packing/wall_roles.hpp"
 #include "jamscape/protocol/relaxation.hpp"
 #include "jamscape/study/results.hpp"
 #include "jamscape/study/task.hpp"
@@ -330,6 +331,7 @@ void write_frames(const TaskFolder& folder, const Task& task, const Packing& hea
     p.packing_fraction = p.packing_fraction_plain = 0.4 + 0.05 * static_cast<double>(k);
     if (k == 0) p.domain.hi[1] = p.walls.back().position[1] = 3 * heap.domain.hi[1];
     files.push_back(folder.frame(k));
+    guess_roles(p);
     write_frame(files.back(), p);
   }
   assemble_run(files, folder.run_file(), {});

@@ -9,6 +9,7 @@
 #include "jamscape/base/files.hpp"
 #include "jamscape/base/random.hpp"
 #include "jamscape/io/run_file.hpp"
+#include "jamscape/packing/wall_roles.hpp"
 #include "jamscape/study/results.hpp"
 #include "jamscape/study/task.hpp"
 #include "jamscape/study/task_folder.hpp"
@@ -195,6 +196,7 @@ Packing made_up_packing(const Task& task, const PlannedFrame& frame) {
     for (std::size_t j = i + 1; j < p.grains.size(); ++j)
       touch(i, static_cast<std::int32_t>(j), 0, p.grains.position[j], p.grains.radius[j]);
   }
+  guess_roles(p);
   return p;
 }
 

@@ -15,14 +15,17 @@
 #include "jamscape/io/packing_check.hpp"
 #include "jamscape/io/shape_list.hpp"
 #include "jamscape/io/vector_columns.hpp"
+#include "jamscape/packing/wall_roles.hpp"
 
 namespace jam {
 namespace {
 
 constexpr std::int64_t most_walls = 65536;
 
+constexpr const char* role_names[] = {"side", "floor", "lid"};  // in the order of WallRole
+
 const KnownKeys contact_keys{
-    .here = {"wall", "step", "time", "stage", "vertices"},
+    .here = {"wall", "roles", "step", "time", "stage", "vertices"},
     .once = {},
     .consequential = {"wall", "dimension", "periodic", "shape"},
     .elsewhere = {"dimension", "lo", "hi", "periodic", "packing_fraction", "packing_fraction_plain", "shape"},
@@ -120,6 +123,7 @@ class Reader {
         {overlap_.has_value(), normal_.has_value(), point_.has_value(), !normal_force_, tangential_.has_value()},
         {{}, [&](std::size_t m) { return csv_.place(row[m], id1_column_); }, {}}, notes_);
     finish_walls();
+    read_roles();
     if (const std::string problem = cluster_problem(packing_); !problem.empty()) throw data_error(problem, csv_.file());
   }
 
@@ -164,6 +168,27 @@ class Reader {
       packing_.walls.push_back(wall);
     }
     given_walls_ = packing_.walls.size();
+  }
+
+  /// One word a wall; without the line the lid is guessed.
+  void read_roles() {
+    const CsvRemark* line = lines_.find("roles");
+    if (line == nullptr) return guess_roles(packing_);
+    std::vector<WallRole> roles;
+    for (std::string_view text = trimmed(line->value); !text.empty();) {
+      const auto end = std::min(text.size(), text.find_first_of(" \t"));
+      const auto* role = std::find(std::begin(role_names), std::end(role_names), text.substr(0, end));
+      if (role == std::end(role_names))
+        throw data_error(fmt::format("'{}' is no role of a wall", text.substr(0, end)), line->place,
+                         fmt::format("one of {}", fmt::join(role_names, ", ")));
+      roles.push_back(static_cast<WallRole>(role - std::begin(role_names)));
+      text = trimmed(text.substr(end));
+    }
+    if (roles.size() != packing_.walls.size())
+      throw data_error(
+          fmt::format("the line '# roles' names {} walls, but there are {}", roles.size(), packing_.walls.size()),
+          line->place, "one word for each wall, in the order of the lines '# wall'");
+    for (std::size_t w = 0; w < roles.size(); ++w) packing_.walls[w].role = roles[w];
   }
 
   /// Without image columns the nearest copy is taken, which is only sure in a box of some size.
@@ -452,6 +477,9 @@ CsvMetadata contact_metadata(const Packing& packing) {
     if (wall.kind == WallKind::cylinder) text += ' ' + to_text(wall.radius);
     metadata.emplace_back("wall", text);
   }
+  std::vector<const char*> roles;
+  for (const Wall& wall : packing.walls) roles.push_back(role_names[static_cast<std::size_t>(wall.role)]);
+  if (!roles.empty()) metadata.emplace_back("roles", fmt::format("{}", fmt::join(roles, " ")));
   return metadata;
 }
 

@@ -8,7 +8,8 @@
 // time) one is asked for. Leading `# key: value` lines may give dimension, step, time, stage,
 // packing_fraction, packing_fraction_plain, lo, hi, periodic, energy_... (particles) and wall (contacts: three numbers
 // each for a point of a plane, its normal into the domain, its velocity; a cylinder has its axis as normal, and its
-// radius as a tenth number). Clusters have lines `# shape: ...` and columns shape, scale, qw, qx, qy, qz
+// radius as a tenth number; `# roles: side floor lid` says what each is for, and without it the last plane is the lid).
+// Clusters have lines `# shape: ...` and columns shape, scale, qw, qx, qy, qz
 // (cluster_columns.hpp), and their contacts need overlap, normal and point. What is missing is worked out from the rest
 // where that can be done, and said in the notes; what contradicts itself is refused (packing_check.hpp).
 #pragma once

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 
 #include "jamscape/base/error.hpp"
@@ -13,13 +14,14 @@
 #include "jamscape/io/run_writer.hpp"
 #include "jamscape/io/seal.hpp"
 #include "jamscape/io/shape_list.hpp"
+#include "jamscape/packing/fields.hpp"
+#include "jamscape/packing/wall_roles.hpp"
 
 namespace jam {
 namespace {
 
 using hdf5::Group;
 using hdf5::Shape;
-using run_layout::Components;
 
 constexpr const char* advice = "`jamscape run` with its folder of results simulates this run again";
 
@@ -36,17 +38,38 @@ Error does_not_fit_seal(const std::filesystem::path& path) {
   return data_error("the file is damaged or was changed: its content does not fit its seal", path.string(), advice);
 }
 
-std::vector<Vec3> vectors(const std::vector<double>& flat, Components stored) {
-  const auto width = static_cast<std::size_t>(stored.count);
-  std::vector<Vec3> out(flat.size() / width, Vec3{});
-  for (std::size_t n = 0; n < out.size(); ++n)
-    for (int k = 0; k < stored.count; ++k) out[n][stored.first + k] = flat[n * width + static_cast<std::size_t>(k)];
-  return out;
+hsize_t width_in_file(FieldShape shape, int dimension) {
+  return shape == FieldShape::scalar ? 0 : static_cast<hsize_t>(components(shape, dimension).count);
 }
 
-Vec3 vector_at(const std::vector<double>& flat, std::size_t n) {
-  return {flat[3 * n], flat[3 * n + 1], flat[3 * n + 2]};
+/// Values from their stored components, one value after another.
+template <class T>
+std::vector<T> values_of(std::vector<Number<T>> numbers, FieldShape shape, int dimension) {
+  if constexpr (std::is_arithmetic_v<T>) {
+    return numbers;
+  } else {
+    const Components stored = components(shape, dimension);
+    const auto width = static_cast<std::size_t>(stored.count);
+    std::vector<T> out(numbers.size() / width);
+    if (stored.count == component_count<T>() && !out.empty()) {
+      static_assert(sizeof(T) == component_count<T>() * sizeof(Number<T>) && std::is_trivially_copyable_v<T>);
+      std::memcpy(static_cast<void*>(out.data()), numbers.data(), out.size() * sizeof(T));
+      return out;
+    }
+    for (std::size_t n = 0; n < out.size(); ++n) {
+      T value{};
+      for (int k = 0; k < component_count<T>(); ++k) component(value, k) = 0;
+      for (int k = 0; k < stored.count; ++k)
+        component(value, stored.first + k) = numbers[n * width + static_cast<std::size_t>(k)];
+      out[n] = value;
+    }
+    return out;
+  }
 }
+
+/// The number a member is stored as: its own type, or a byte for truth and names.
+template <class T>
+using Stored = std::conditional_t<std::is_enum_v<T> || std::is_same_v<T, bool>, std::uint8_t, T>;
 
 /// Offsets of a flat table: one more than the entries they cut it into, rising from 0 to `rows`.
 std::vector<std::uint64_t> read_offsets(const Group& group, const char* name, std::size_t entries, hsize_t rows) {
@@ -69,30 +92,32 @@ struct RunFile::State {
   hdf5::File file;
   Group root, all, contacts, walls;
   int dimension = 0;
-  std::vector<std::int64_t> steps, counts;
-  std::vector<double> times, fraction, fraction_plain, lower, upper;
-  std::vector<std::uint8_t> periodic;
+  std::vector<std::int64_t> counts;
+  std::vector<Packing> heads;  // of each frame what is one value a frame
+  std::vector<std::int64_t> steps;
+  std::vector<double> times, fraction;
   std::vector<std::string> stages, relaxations;
   std::vector<ClusterShape> shapes;
-  std::vector<EnergyLedger> energy;
+  bool roles = false;  // whether the walls say what they are for
   std::vector<std::uint64_t> contact_offset, wall_offset, bead_offset;
 
   explicit State(hdf5::File opened);
   template <class T>
   std::vector<T> per_frame(const Group& group, const char* name, std::size_t width = 1) const;
-  Grains grains(std::size_t k) const;
-  Contacts read_contacts(std::size_t k, std::size_t grains, std::size_t walls) const;
-  std::vector<Wall> read_walls(std::size_t k) const;
+  void read_frames();
+  void read_box(const Group& box);
+  Grains grains(std::size_t k, Knowledge& knows) const;
   template <class T>
-  std::vector<T> property(const char* name, std::size_t k, hsize_t n) const;
-  std::vector<Vec3> vector_element(const char* name, std::size_t k, hsize_t n, Components stored) const;
+  std::vector<T> grain_values(const Field<Grains, std::vector<T>>& f, std::size_t k, hsize_t n) const;
+  Contacts read_contacts(std::size_t k, std::size_t grains, std::size_t walls, Knowledge& knows) const;
+  std::vector<Wall> read_walls(std::size_t k) const;
 };
 
 template <class T>
 std::vector<T> RunFile::State::per_frame(const Group& group, const char* name, std::size_t width) const {
   auto values = group.read<T>(name);
-  if (values.size() != steps.size() * width)
-    damaged(group, fmt::format("'{}' has {} entries for {} frames", name, values.size(), steps.size()));
+  if (values.size() != heads.size() * width)
+    damaged(group, fmt::format("'{}' has {} entries for {} frames", name, values.size(), heads.size()));
   return values;
 }
 
@@ -106,101 +131,129 @@ RunFile::State::State(hdf5::File opened) : file(std::move(opened)), root(file.ro
         data_error(fmt::format("the file has layout version {}, this program reads {} to {}",
                                version.empty() ? 0 : version[0], run_layout::oldest_version, run_layout::version),
                    root.file(), "use the version of the program that wrote it"));
-  const Group frames = root.group("frames");
-  steps = frames.read<std::int64_t>("step");
-  times = per_frame<double>(frames, "time");
-  stages = frames.read_strings("stage");
-  if (stages.size() != steps.size()) damaged(frames, "there is not one stage name for each frame");
-  relaxations.resize(steps.size());
-  if (frames.has("relaxation")) relaxations = frames.read_strings("relaxation");
-  if (relaxations.size() != steps.size()) damaged(frames, "there is not one relaxation for each frame");
-
   all = root.group("particles").group("all");
+  read_frames();
   counts = per_frame<std::int64_t>(all.group("count"), "value");
   if (root.has("shapes")) shapes = read_shapes(root.group("shapes"));
-  const Group box = all.group("box");
-  const auto dimensions = box.read_attribute<std::int32_t>("dimension");
-  if (dimensions.size() != 1 || (dimensions[0] != 2 && dimensions[0] != 3))
-    damaged(box, "its dimension is neither 2 nor 3");
-  dimension = dimensions[0];
-  lower = per_frame<double>(box, "lower", 3);
-  upper = per_frame<double>(box, "upper", 3);
-  periodic = per_frame<std::uint8_t>(box, "periodic", 3);
-
-  const Group observables = root.group("observables");
-  fraction = per_frame<double>(observables.group("packing_fraction"), "value");
-  fraction_plain = per_frame<double>(observables.group("packing_fraction_plain"), "value");
-  energy.resize(steps.size());
-  for (const auto& [name, member] : run_layout::energies) {
-    const auto values = per_frame<double>(observables.group(name), "value");
-    for (std::size_t k = 0; k < values.size(); ++k) energy[k].*member = values[k];
-  }
+  read_box(all.group("box"));
 
   const auto rows = [](const Group& group, const char* name) {
     const Shape shape = group.dataset(name).shape();
     return shape.empty() ? 0 : shape[0];
   };
   contacts = root.group("contacts");
-  contact_offset = read_offsets(contacts, "offset", steps.size(), rows(contacts, "i"));
+  contact_offset = read_offsets(contacts, "offset", heads.size(), rows(contacts, "i"));
   walls = root.group("walls");
-  wall_offset = read_offsets(walls, "offset", steps.size(), rows(walls, "kind"));
+  wall_offset = read_offsets(walls, "offset", heads.size(), rows(walls, "kind"));
   bead_offset = read_offsets(walls, "bead_offset", wall_offset.back(), rows(walls, "bead"));
+  for_each_field(wall_fields, [&](const auto& f) {
+    if (f.name == std::string_view("role")) roles = walls.has(f.in_file());
+  });
+}
+
+/// What is one value a frame, but the cell.
+void RunFile::State::read_frames() {
+  const Group frames = root.group("frames"), observables = root.group("observables");
+  heads.resize(frames.read<std::int64_t>("step").size());
+  const std::string prefix = "observables/";
+  for_each_field(frame_fields, [&]<class T>(const Field<Packing, T>& f) {
+    const std::string name = f.in_file();
+    if constexpr (std::is_same_v<T, std::string>) {
+      if (f.later && !frames.has(name)) return;
+      auto texts = frames.read_strings(name);
+      if (texts.size() != heads.size()) damaged(frames, fmt::format("there is not one {} for each frame", name));
+      for (std::size_t k = 0; k < texts.size(); ++k) heads[k].*f.member = std::move(texts[k]);
+    } else {
+      const auto values = name.starts_with(prefix)
+                              ? per_frame<T>(observables.group(name.substr(prefix.size())), "value")
+                              : per_frame<T>(frames, name.c_str());
+      for (std::size_t k = 0; k < values.size(); ++k) heads[k].*f.member = values[k];
+    }
+  });
+  for_each_field(energy_fields, [&](const auto& f) {
+    const auto values = per_frame<double>(observables.group(f.in_file()), "value");
+    for (std::size_t k = 0; k < values.size(); ++k) heads[k].energy.*f.member = values[k];
+  });
+  if (root.has("knows")) {
+    const Group knows = root.group("knows");
+    for_each_field(knowledge_fields, [&](const auto& f) {
+      if (!knows.has(f.in_file())) return;
+      const auto values = per_frame<std::uint8_t>(knows, f.in_file());
+      for (std::size_t k = 0; k < values.size(); ++k) heads[k].knows.*f.member = values[k] != 0;
+    });
+  }
+  for (const Packing& p : heads) {
+    steps.push_back(p.step);
+    times.push_back(p.time);
+    fraction.push_back(p.packing_fraction);
+    stages.push_back(p.stage);
+    relaxations.push_back(p.relaxation);
+  }
+}
+
+void RunFile::State::read_box(const Group& box) {
+  const auto dimensions = box.read_attribute<std::int32_t>("dimension");
+  if (dimensions.size() != 1 || (dimensions[0] != 2 && dimensions[0] != 3))
+    damaged(box, "its dimension is neither 2 nor 3");
+  dimension = dimensions[0];
+  for_each_field(domain_fields, [&]<class T>(const Field<Domain, T>& f) {
+    if (f.later && !box.has(f.in_file())) return;
+    if constexpr (std::is_same_v<T, std::array<bool, 3>>) {
+      const auto values = per_frame<std::uint8_t>(box, f.in_file(), 3);
+      for (std::size_t n = 0; n < values.size(); ++n) (heads[n / 3].domain.*f.member)[n % 3] = values[n] != 0;
+    } else {
+      constexpr std::size_t numbers = sizeof(T) / sizeof(double);
+      const auto values = per_frame<double>(box, f.in_file(), numbers);
+      for (std::size_t k = 0; k < heads.size(); ++k)
+        std::memcpy(&(heads[k].domain.*f.member), &values[k * numbers], sizeof(T));
+    }
+  });
 }
 
 template <class T>
-std::vector<T> RunFile::State::property(const char* name, std::size_t k, hsize_t n) const {
-  if (all.is_group(name)) return all.group(name).dataset("value").read<T>({k, 0}, {1, n});
-  auto values = all.read<T>(name);
+std::vector<T> RunFile::State::grain_values(const Field<Grains, std::vector<T>>& f, std::size_t k, hsize_t n) const {
+  const char* name = f.in_file();
+  const hsize_t width = width_in_file(f.shape, dimension);
+  if (f.kept == Kept::each_frame || all.is_group(name)) {
+    const auto data = all.group(name).dataset("value");
+    return values_of<T>(width == 0 ? data.template read<Number<T>>({k, 0}, {1, n})
+                                   : data.template read<Number<T>>({k, 0, 0}, {1, n, width}),
+                        f.shape, dimension);
+  }
+  auto values = values_of<T>(all.read<Number<T>>(name), f.shape, dimension);
   if (values.size() != n) damaged(all, fmt::format("'{}' has {} entries for {} grains", name, values.size(), n));
   return values;
 }
 
-std::vector<Vec3> RunFile::State::vector_element(const char* name, std::size_t k, hsize_t n, Components stored) const {
-  const auto width = static_cast<hsize_t>(stored.count);
-  return vectors(all.group(name).dataset("value").read<double>({k, 0, 0}, {1, n, width}), stored);
-}
-
-Grains RunFile::State::grains(std::size_t k) const {
+Grains RunFile::State::grains(std::size_t k, Knowledge& knows) const {
   if (counts[k] < 0) damaged(all, fmt::format("frame {} has {} grains", k, counts[k]));
   const auto n = static_cast<hsize_t>(counts[k]);
-  const Components plane = run_layout::in_plane(dimension), turn = run_layout::rotation(dimension);
   Grains g;
-  g.position = vector_element("position", k, n, plane);
-  g.velocity = vector_element("velocity", k, n, plane);
-  g.spin = vector_element("angular_velocity", k, n, turn);
-  g.angle = vector_element("angle", k, n, turn);
-  g.id = property<std::int64_t>("id", k, n);
-  g.species = property<std::int32_t>("species", k, n);
-  g.radius = property<double>("radius", k, n);
-  g.mass = property<double>("mass", k, n);
-  if (shapes.empty()) return g;
-  g.shape = property<std::int32_t>("shape", k, n);
-  g.scale = property<double>("scale", k, n);
-  const auto turned = all.group("orientation").dataset("value").read<double>({k, 0, 0}, {1, n, 4});
-  for (std::size_t m = 0; m < turned.size(); m += 4)
-    g.orientation.push_back({turned[m], turned[m + 1], turned[m + 2], turned[m + 3]});
+  for_each_field(grain_fields, [&](const auto& f) {
+    if (f.presence == Presence::clusters && shapes.empty()) return;
+    if (f.later && !all.has(f.in_file())) {
+      (g.*f.member).resize(n);
+      if (f.known != nullptr) knows.*f.known = false;
+      return;
+    }
+    g.*f.member = grain_values(f, k, n);
+  });
   return g;
 }
 
-Contacts RunFile::State::read_contacts(std::size_t k, std::size_t grains, std::size_t wall_count) const {
+Contacts RunFile::State::read_contacts(std::size_t k, std::size_t grains, std::size_t wall_count,
+                                       Knowledge& knows) const {
   const hsize_t first = contact_offset[k], n = contact_offset[k + 1] - first;
-  const Components plane = run_layout::in_plane(dimension);
-  const auto width = static_cast<hsize_t>(plane.count);
   Contacts c;
-  c.i = read_rows<std::uint32_t>(contacts, "i", first, n);
-  c.j = read_rows<std::int32_t>(contacts, "j", first, n);
-  c.part_i = read_rows<std::uint16_t>(contacts, "part_i", first, n);
-  c.part_j = read_rows<std::uint16_t>(contacts, "part_j", first, n);
-  const auto image = read_rows<std::int8_t>(contacts, "image", first, n, width);
-  c.image.resize(n);
-  for (std::size_t m = 0; m < n; ++m)
-    for (std::size_t d = 0; d < width; ++d) c.image[m][d] = image[m * width + d];
-  c.overlap = read_rows<double>(contacts, "overlap", first, n);
-  c.normal_force = read_rows<double>(contacts, "fn", first, n);
-  c.normal = vectors(read_rows<double>(contacts, "normal", first, n, width), plane);
-  c.tangential_force = vectors(read_rows<double>(contacts, "ft", first, n, width), plane);
-  c.point = vectors(read_rows<double>(contacts, "point", first, n, width), plane);
-  c.sliding = read_rows<std::uint8_t>(contacts, "slip", first, n);
+  for_each_field(contact_fields, [&]<class T>(const Field<Contacts, std::vector<T>>& f) {
+    if (f.later && !contacts.has(f.in_file())) {
+      (c.*f.member).resize(n);
+      if (f.known != nullptr) knows.*f.known = false;
+      return;
+    }
+    c.*f.member = values_of<T>(read_rows<Number<T>>(contacts, f.in_file(), first, n, width_in_file(f.shape, dimension)),
+                               f.shape, dimension);
+  });
   for (std::size_t m = 0; m < n; ++m) {
     const std::int64_t j = c.j[m];
     if (c.i[m] >= grains || j >= static_cast<std::int64_t>(grains) || j < -static_cast<std::int64_t>(wall_count))
@@ -212,30 +265,27 @@ Contacts RunFile::State::read_contacts(std::size_t k, std::size_t grains, std::s
 
 std::vector<Wall> RunFile::State::read_walls(std::size_t k) const {
   const hsize_t first = wall_offset[k], n = wall_offset[k + 1] - first;
-  const hsize_t first_bead = bead_offset[first], beads = bead_offset[first + n] - first_bead;
-  const auto kind = read_rows<std::uint8_t>(walls, "kind", first, n);
-  const auto position = read_rows<double>(walls, "position", first, n, 3);
-  const auto normal = read_rows<double>(walls, "normal", first, n, 3);
-  const auto velocity = read_rows<double>(walls, "velocity", first, n, 3);
-  const auto force = read_rows<double>(walls, "force", first, n, 3);
-  const auto bead_radius = read_rows<double>(walls, "bead_radius", first, n);
-  const auto radius = walls.has("cylinder_radius") ? read_rows<double>(walls, "cylinder_radius", first, n)
-                                                   : std::vector<double>(n, 0.0);
-  const auto bead = read_rows<double>(walls, "bead", first_bead, beads, 3);
   std::vector<Wall> out(n);
-  for (std::size_t w = 0; w < n; ++w) {
-    if (kind[w] > static_cast<std::uint8_t>(WallKind::cylinder))
-      damaged(walls, fmt::format("a wall is of kind {}", kind[w]));
-    out[w] = {static_cast<WallKind>(kind[w]),
-              vector_at(position, w),
-              vector_at(normal, w),
-              vector_at(velocity, w),
-              vector_at(force, w),
-              bead_radius[w],
-              {},
-              radius[w]};
-    for (std::size_t b = bead_offset[first + w]; b < bead_offset[first + w + 1]; ++b)
-      out[w].beads.push_back(vector_at(bead, b - first_bead));
+  for_each_field(wall_fields, [&]<class T>(const Field<Wall, T>& f) {
+    if (f.later && !walls.has(f.in_file())) return;
+    const hsize_t width = width_in_file(f.shape, 3);
+    if constexpr (std::is_same_v<T, std::vector<Vec3>>) {
+      const hsize_t bead = bead_offset[first], beads = bead_offset[first + n] - bead;
+      const auto all_beads = values_of<Vec3>(read_rows<double>(walls, f.in_file(), bead, beads, width), f.shape, 3);
+      for (std::size_t w = 0; w < n; ++w)
+        for (std::size_t b = bead_offset[first + w]; b < bead_offset[first + w + 1]; ++b)
+          (out[w].*f.member).push_back(all_beads[b - bead]);
+    } else {
+      const auto values =
+          values_of<Stored<T>>(read_rows<Number<Stored<T>>>(walls, f.in_file(), first, n, width), f.shape, 3);
+      for (std::size_t w = 0; w < n; ++w) out[w].*f.member = static_cast<T>(values[w]);
+    }
+  });
+  for (const Wall& wall : out) {
+    if (static_cast<std::uint8_t>(wall.kind) > static_cast<std::uint8_t>(WallKind::cylinder))
+      damaged(walls, fmt::format("a wall is of kind {}", static_cast<int>(wall.kind)));
+    if (static_cast<std::uint8_t>(wall.role) > static_cast<std::uint8_t>(WallRole::lid))
+      damaged(walls, fmt::format("a wall has role {}", static_cast<int>(wall.role)));
   }
   return out;
 }
@@ -277,7 +327,7 @@ RunFile::~RunFile() {
   state_.reset();
 }
 
-std::size_t RunFile::frames() const { return state_->steps.size(); }
+std::size_t RunFile::frames() const { return state_->heads.size(); }
 const std::vector<std::int64_t>& RunFile::steps() const { return state_->steps; }
 const std::vector<double>& RunFile::times() const { return state_->times; }
 const std::vector<std::string>& RunFile::stages() const { return state_->stages; }
@@ -302,21 +352,12 @@ Packing RunFile::frame(std::size_t k) const {
   const State& s = *state_;
   if (k >= frames()) throw data_error(fmt::format("there is no frame {}: the file has {}", k, frames()), s.root.file());
   const hdf5::Lock lock;
-  Packing p;
+  Packing p = s.heads[k];
   p.dimension = s.dimension;
-  p.step = s.steps[k];
-  p.time = s.times[k];
-  p.stage = s.stages[k];
-  p.relaxation = s.relaxations[k];
-  p.packing_fraction = s.fraction[k];
-  p.packing_fraction_plain = s.fraction_plain[k];
-  p.domain.lo = vector_at(s.lower, k);
-  p.domain.hi = vector_at(s.upper, k);
-  for (std::size_t d = 0; d < 3; ++d) p.domain.periodic[d] = s.periodic[3 * k + d] != 0;
-  p.energy = s.energy[k];
   p.walls = s.read_walls(k);
-  p.grains = s.grains(k);
-  p.contacts = s.read_contacts(k, p.grains.size(), p.walls.size());
+  if (!s.roles) guess_roles(p);
+  p.grains = s.grains(k, p.knows);
+  p.contacts = s.read_contacts(k, p.grains.size(), p.walls.size(), p.knows);
   p.shapes = s.shapes;
   if (const std::string problem = cluster_problem(p); !problem.empty())
     damaged(s.root, fmt::format("in frame {}, {}", k, problem));

@@ -12,19 +12,15 @@
 
 namespace jam::run_layout {
 
-inline constexpr std::int32_t version = 2;
-/// Version 1 knew neither clusters nor cylinders, and is else the same.
+/// Files in which a cell is tilted.
+inline constexpr std::int32_t version = 3;
+/// Files of upright cells, which programs that know none but those read too. What was added to it since (walls' roles,
+/// what a packing does not know) they pass over.
+inline constexpr std::int32_t upright_version = 2;
+/// Version 1 knew neither clusters nor cylinders, and is else the same as 2.
 inline constexpr std::int32_t oldest_version = 1;
 /// The root attribute of files with a seal behind them.
 inline constexpr const char* sealed = "sealed";
-
-/// The components of a vector that are stored: all three, in 2D those in the plane, or out of it for rotations.
-struct Components {
-  int first, count;
-};
-inline Components in_plane(int dimension) { return {0, dimension}; }
-inline Components rotation(int dimension) { return dimension == 2 ? Components{2, 1} : Components{0, 3}; }
-inline constexpr Components all{0, 3};
 
 inline constexpr std::pair<const char*, double EnergyLedger::*> energies[] = {
     {"energy_kinetic", &EnergyLedger::kinetic},     {"energy_elastic", &EnergyLedger::elastic},

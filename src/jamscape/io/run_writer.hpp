@@ -8,6 +8,8 @@
 
 #include "jamscape/io/hdf5.hpp"
 #include "jamscape/io/run_file.hpp"
+#include "jamscape/io/run_layout.hpp"
+#include "jamscape/packing/fields.hpp"
 
 namespace jam {
 
@@ -23,34 +25,30 @@ class RunWriter {
 
  private:
   hdf5::Group make(hdf5::Group& parent, const char* name) const;
-  void append_grains(const Packing& packing);
+  void append_grains(const Grains& grains);
   void append_contacts(const Contacts& contacts);
   void append_walls(const std::vector<Wall>& walls);
-  void append_domain(const Domain& domain);
   template <class T>
-  void append_property(const char* name, const std::vector<T> Grains::*member, const Grains& now);
+  void append_property(const Field<Grains, std::vector<T>>& field, const Grains& now);
   template <class T>
-  void append_grain_row(const char* name, std::size_t frame, const std::vector<T>& values, hsize_t width);
+  void append_grain_row(const char* name, std::size_t frame, std::span<const T> values, hsize_t width);
   template <class T>
-  void append_rows(hdf5::Group& group, const std::string& name, const std::vector<T>& values, hsize_t width = 0);
+  void append_rows(hdf5::Group& group, const std::string& name, std::span<const T> values, hsize_t width);
   template <class T>
-  void finish_property(const char* name, const std::vector<T> Grains::*member);
-  template <class T>
-  void finish_element(hdf5::Group& parent, const char* name, const std::vector<T>& values, hsize_t width = 0);
+  void finish_element(hdf5::Group& parent, const char* name, const std::vector<T>& values, const hdf5::Shape& shape);
   void finish_box();
+  void finish_knowledge();
   void link_times(hdf5::Group& group);
 
   hdf5::Group root_, frames_, particles_, all_, contacts_, walls_;
-  std::size_t planned_, count_ = 0;
+  std::int32_t layout_ = run_layout::upright_version;
+  std::size_t planned_;
   Packing first_;                                ///< lasting properties of the grains, dimension, domain, shapes
+  std::vector<Packing> heads_;                   ///< of each frame what is one value a frame
   std::map<std::string, hdf5::Group> elements_;  ///< time-dependent members of particles/all
   std::map<std::string, hdf5::Dataset> open_;    ///< arrays that grow; kept open for the sake of their chunk caches
 
-  std::vector<std::int64_t> steps_, grains_;
-  std::vector<double> times_, fraction_, fraction_plain_, edges_, lower_, upper_;
-  std::vector<std::uint8_t> periodic_;
-  std::vector<std::string> stages_, relaxations_;
-  std::vector<EnergyLedger> energy_;
+  std::vector<std::int64_t> grains_;
   std::vector<std::uint64_t> contact_offset_{0}, wall_offset_{0}, bead_offset_{0};
 };
 

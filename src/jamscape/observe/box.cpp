@@ -7,26 +7,9 @@
 
 namespace jam {
 
-int wall_axis(const Wall& wall, int dimension) {
-  int axis = 0;
-  for (int a = 1; a < dimension; ++a)
-    if (std::abs(wall.normal[a]) > std::abs(wall.normal[axis])) axis = a;
-  return axis;
-}
-
 const Wall* find_cylinder(const Packing& packing) {
   for (const Wall& wall : packing.walls)
     if (wall.kind == WallKind::cylinder) return &wall;
-  return nullptr;
-}
-
-const Wall* find_lid(const Packing& packing) {
-  const bool falls = packing.energy.gravity_work != 0;  // down the second axis, in our own packings
-  for (std::size_t w = packing.walls.size(); w-- > 0;)
-    if (falls && packing.walls[w].kind == WallKind::plane && wall_axis(packing.walls[w], packing.dimension) == 1)
-      return &packing.walls[w];
-  for (std::size_t w = packing.walls.size(); w-- > 0;)
-    if (packing.walls[w].kind != WallKind::cylinder) return &packing.walls[w];
   return nullptr;
 }
 

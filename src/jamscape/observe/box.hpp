@@ -3,17 +3,12 @@
 #pragma once
 
 #include "jamscape/observe/measure.hpp"
+#include "jamscape/packing/wall_roles.hpp"
 
 namespace jam {
 
-/// The axis a wall's normal is along; of a cylinder, its own.
-int wall_axis(const Wall& wall, int dimension);
-
 /// The cylinder around the grains; none: null.
 const Wall* find_cylinder(const Packing& packing);
-
-/// The last wall that is no cylinder: what presses on a settled packing; null without walls.
-const Wall* find_lid(const Packing& packing);
 
 /// The axis of the lid, from floor to top; the last axis without a lid.
 int height_axis(const Packing& packing);

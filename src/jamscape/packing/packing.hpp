@@ -10,7 +10,7 @@
 //   - point lies in the middle of the overlap, on the line of centres (clusters: of the closest points of two axes);
 //   - a body made of several arms touches with each of them: part_i and part_j are the arms, and a wall sees the ends
 //     of an arm, part_j = 0 or 1;
-//   - in a periodic box the copy of j that touches i sits at x_j + image * L.
+//   - in a periodic box the copy of j that touches i sits at x_j + sum over k of image_k * edge_k.
 // Units are those of the study (scaled units d, m, tau_c in S1).
 #pragma once
 
@@ -64,6 +64,9 @@ struct Contacts {
 
 enum class WallKind : std::uint8_t { plane, beads, cylinder };
 
+/// What a wall is for: below the grains, on top of them (what presses on a settled packing), or anything else.
+enum class WallRole : std::uint8_t { side, floor, lid };
+
 /// A wall: a plane, a straight row (2D) of touching beads that moves as one rigid piece along its normal, or an upright
 /// cylinder around the grains.
 struct Wall {
@@ -75,11 +78,23 @@ struct Wall {
   double bead_radius = 0;   ///< beads only
   std::vector<Vec3> beads;  ///< centres of the beads; part_j of a contact is the index here
   double radius = 0;        ///< cylinder only
+  WallRole role = WallRole::side;
 };
 
+/// The cell the grains are in: a corner and three edge vectors, each of which may be periodic. Edge k is
+/// (hi - lo)_k along axis k and tilt[k] besides, so that in an upright cell lo and hi are the corners, kept to the bit.
 struct Domain {
-  Vec3 lo{}, hi{};  ///< for bead walls: the lines (planes) through the bead centres
-  std::array<bool, 3> periodic{};
+  Vec3 lo{}, hi{};                 ///< for bead walls: the lines (planes) through the bead centres
+  std::array<bool, 3> periodic{};  ///< whether the grains repeat along an edge
+  std::array<Vec3, 3> tilt{};      ///< of edge k, without component k; zero in an upright cell
+
+  bool upright() const { return tilt == std::array<Vec3, 3>{}; }
+  const Vec3& origin() const { return lo; }
+  Vec3 edge(int k) const {
+    Vec3 e = tilt[static_cast<std::size_t>(k)];
+    e[k] = hi[k] - lo[k];
+    return e;
+  }
 };
 
 /// Where the energy went since the start; closes to the integrator's order:
@@ -101,6 +116,18 @@ struct EnergyLedger {
   }
 };
 
+/// What a packing knows of itself; the rest holds zeros that mean nothing. Ours know everything.
+struct Knowledge {
+  bool masses = true;  ///< not assumed
+  bool velocities = true;
+  bool spins = true;
+  bool angles = true;  ///< accumulated rotations
+  bool tangential_forces = true;
+  bool sliding = true;   ///< which contacts have reached the Coulomb limit
+  bool energies = true;  ///< the ledger
+  bool operator==(const Knowledge&) const = default;
+};
+
 struct Packing {
   int dimension = 2;
   std::int64_t step = 0;
@@ -115,6 +142,7 @@ struct Packing {
   Contacts contacts;
   std::vector<Wall> walls;
   EnergyLedger energy;
+  Knowledge knows;
 };
 
 }  // namespace jam

@@ -10,6 +10,7 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/flush_to_zero.hpp"
 #include "jamscape/dem/parts.hpp"
+#include "jamscape/packing/wall_roles.hpp"
 #include "jamscape/protocol/ledger.hpp"
 #include "jamscape/protocol/plan.hpp"
 #include "jamscape/protocol/relaxation.hpp"
@@ -18,6 +19,13 @@
 
 namespace jam {
 namespace {
+
+/// From floor to lid: along gravity where planes hold the grains, else the last axis.
+int axis_of_height(const SystemOptions& system) {
+  const bool falls =
+      is_container(system.domain.walls) || (system.domain.walls == WallModel::flat && system.domain.gravity != 0);
+  return falls ? 1 : static_cast<int>(system.domain.dimension) - 1;
+}
 
 template <class Scene>
 class Run {
@@ -158,6 +166,7 @@ class Run {
     check_ledger(packing.energy);
     packing.packing_fraction = scene_.packing_fraction();
     packing.packing_fraction_plain = scene_.packing_fraction_plain();
+    give_roles(packing, axis_of_height(system_));
     packing.stage = table_.plan.frames[next_frame_].stage;
     if (table_.plan.frames[next_frame_].relaxed) packing.relaxation = relaxation_.ended();
     if (hooks_.frame) hooks_.frame(next_frame_, packing);

@@ -6,15 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "jamscape/packing/packing.hpp"
 #include "jamscape/study/study.hpp"
 #include "jamscape/study/task.hpp"
 
 namespace jam {
-
-/// The first array or number in which two packings differ in any bit, e.g. "grains.position"; empty when they are the
-/// same.
-std::string first_difference(const Packing& a, const Packing& b);
 
 /// Simulates a task that is done again, in a folder of its own that is removed afterwards, and compares. Returns "" or
 /// what differs where, or nothing when `stop` asked for an end. Throws a data error for a task that is not done, or

@@ -44,6 +44,7 @@ inline Packing plain_packing(int dimension, int frame) {
   for (Vec3* v : {&wall.position, &wall.normal, &wall.velocity, &wall.force}) *v = vec();
   wall.bead_radius = number();
   wall.beads = {vec(), vec()};
+  wall.role = WallRole::lid;  // as the last wall of a file that does not say
   p.walls = {wall};
   p.energy = {number(), number(), number(), number(), number(), number()};
   return p;

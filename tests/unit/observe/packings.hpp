@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "jamscape/base/random.hpp"
-#include "jamscape/packing/packing.hpp"
+#include "jamscape/packing/wall_roles.hpp"
 
 namespace jam::test {
 
@@ -72,6 +72,7 @@ inline void add_cylinder(Packing& p) {
   lid.position = p.domain.hi;
   lid.normal = {0, -1, 0};
   p.walls = {side, floor, lid};
+  give_roles(p, 1);
 }
 
 /// A contact with given forces; the geometry follows from the grains (or, for a wall, from its position and normal).
@@ -117,6 +118,7 @@ inline void add_walls(Packing& p) {
       w.normal[a] = sign;
       p.walls.push_back(w);
     }
+  give_roles(p, p.dimension - 1);
 }
 
 /// All contacts of touching bodies (overlap >= -1e-9), force = 1 + 10 overlap, sorted; nearest image in periodic boxes.

@@ -78,7 +78,7 @@ TEST(RadialDistribution, OfAnIdealGasIsOneInASlab) {
     for (int k = 0; k < 6000; ++k)
       add_grain(p, {random.uniform(0, 30), random.uniform(0, 40), random.uniform(0, thickness)});
     add_walls(p);
-    std::rotate(p.walls.begin(), p.walls.begin() + 4, p.walls.end());  // the lid is last: along y
+    give_roles(p, 1);
     const RadialDistribution rdf = radial_distribution(p, coarse(4, 0.2));
     EXPECT_EQ(rdf.margin_sides, 0);
     EXPECT_EQ(rdf.margin_ends, 10);
