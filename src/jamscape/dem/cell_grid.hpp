@@ -13,6 +13,9 @@
 
 namespace jam {
 
+/// Bodies are put back into spatial order with the first of so many lists of pairs.
+inline constexpr std::int64_t lists_per_order = 16;
+
 /// Cells of at least a given width, as index ranges. Throws a usage error where a periodic box is less than three cells
 /// wide.
 template <int D>

@@ -1,43 +1,14 @@
 // The state of an engine as named arrays, and back.
 #include <algorithm>
 #include <string>
-#include <type_traits>
 
-#include "jamscape/base/error.hpp"
 #include "jamscape/dem/engine.hpp"
+#include "jamscape/dem/stored_arrays.hpp"
 
 namespace jam {
 namespace {
 
 constexpr std::int64_t layout_version = 2;
-
-template <class Array>
-std::vector<double> reals(const Array& a) {
-  return {std::begin(a), std::end(a)};
-}
-template <class Array>
-std::vector<std::int64_t> integers(const Array& a) {
-  std::vector<std::int64_t> out;
-  for (const auto n : a) out.push_back(static_cast<std::int64_t>(n));
-  return out;
-}
-
-template <class T>
-const T& fetch(const Archive& archive, const std::string& name) {
-  if (const T* entry = find_entry<T>(archive, name)) return *entry;
-  throw data_error("the checkpoint lacks '" + name + "'", {}, "delete it; the task then starts from its beginning");
-}
-
-template <class Array>
-void take(const Archive& archive, const std::string& name, Array& to, bool same_size) {
-  using Stored = std::conditional_t<std::is_floating_point_v<typename Array::value_type>, double, std::int64_t>;
-  const auto& from = fetch<std::vector<Stored>>(archive, name);
-  if (same_size && from.size() != to.size())
-    throw data_error("the checkpoint is of another system: '" + name + "' has " + std::to_string(from.size()) +
-                     " entries instead of " + std::to_string(to.size()));
-  if constexpr (requires { to.resize(from.size()); }) to.resize(from.size());
-  for (std::size_t k = 0; k < from.size(); ++k) to[k] = static_cast<typename Array::value_type>(from[k]);
-}
 
 /// Inverse inertias laid out like forces, as checkpoints hold them.
 template <int D>
@@ -69,21 +40,19 @@ void save_groups(const PairList<D>& pairs, Archive& out) {
 template <int D>
 void load_groups(const Archive& in, PairList<D>& pairs, const Parts& parts) {
   std::vector<std::size_t> start;
-  take(in, "engine/pair_start", start, false);
+  take(in, "engine/pair_start", start);
   std::vector<std::uint32_t> a(1, 0), b(1, 0);
   pairs.first_of_round = {0};
   if (parts.size() > 1) {
-    take(in, "engine/group_a", a, false);
-    take(in, "engine/group_b", b, false);
-    take(in, "engine/first_of_round", pairs.first_of_round, false);
+    take(in, "engine/group_a", a);
+    take(in, "engine/group_b", b);
+    take(in, "engine/first_of_round", pairs.first_of_round);
   }
   bool sound = start.size() == pair_runs * a.size() + 1 && b.size() == a.size() && !a.empty() &&
                !pairs.first_of_round.empty() && pairs.first_of_round.back() + parts.stretches() == a.size() &&
                std::is_sorted(pairs.first_of_round.begin(), pairs.first_of_round.end());
   for (std::size_t g = 0; sound && g < a.size(); ++g) sound = a[g] < parts.with_grains() && b[g] < parts.size();
-  if (!sound)
-    throw data_error("the checkpoint's pair list is inconsistent", {},
-                     "delete it; the task then starts from its beginning");
+  if (!sound) refuse_checkpoint("'s pair list is inconsistent");
   pairs.groups.assign(a.size(), {});
   for (std::size_t g = 0; g < a.size(); ++g) {
     pairs.groups[g] = {a[g], b[g], {}};
@@ -110,27 +79,23 @@ void Engine<D>::save(Archive& out) const {
   out["engine/pair_spring"] = reals(pairs_.springs);
   out["engine/plane_grain"] = integers(plane_grain_);
   out["engine/plane_wall"] = integers(plane_wall_);
-  std::vector<double> plane_spring, wall_position, wall_velocity;
-  for (const auto& s : plane_spring_)
-    if constexpr (D == 2)
-      plane_spring.push_back(s);
-    else
-      plane_spring.insert(plane_spring.end(), s.c, s.c + 3);
+  std::vector<double> wall_position, wall_velocity;
   for (const auto& wall : walls_) {
     wall_position.push_back(wall.position);
     wall_velocity.push_back(wall.velocity);
   }
-  out["engine/plane_spring"] = plane_spring;
+  if constexpr (D == 2)
+    out["engine/plane_spring"] = plane_spring_;
+  else
+    out["engine/plane_spring"] = components(plane_spring_);
   out["engine/wall_position"] = wall_position;
   out["engine/wall_velocity"] = wall_velocity;
   out["engine/box"] = reals(box_.length);
-  out["engine/scalars"] =
-      std::vector<double>{box_speed_, skin_, moved_, damped_, rubbed_, wall_work_, gravity_work_, dt_};
+  out["engine/scalars"] = std::vector<double>{
+      box_speed_, skin_, moved_, booked_.damped, booked_.rubbed, booked_.wall_work, booked_.gravity_work, dt_};
   if (summed_) {  // springs and ledger have had this step
-    std::vector<double> wall_force;
-    for (const Vec<D>& f : wall_force_) wall_force.insert(wall_force.end(), f.c, f.c + D);
     out["engine/forces"] = reals(bodies_.forces);
-    out["engine/wall_force"] = wall_force;
+    out["engine/wall_force"] = components(wall_force_);
   }
   if (fastest_plane() > 0 || planes_moved_ > 0) out["engine/planes_moved"] = std::vector<double>{planes_moved_};
   Tally tally{};
@@ -146,60 +111,52 @@ void Engine<D>::load(const Archive& in) {
   const auto& counters = fetch<std::vector<std::int64_t>>(in, "engine/counters");
   if (counters.size() != 6 || counters[0] != layout_version || counters[1] != D ||
       counters[2] != static_cast<std::int64_t>(scheme_))
-    throw data_error("the checkpoint is of another version or another kind of system", {},
-                     "delete it; the task then starts from its beginning");
-  take(in, "engine/rows", bodies_.rows, true);
-  take(in, "engine/derivatives", bodies_.derivatives, true);
+    refuse_checkpoint(" is of another version or another kind of system");
+  take(in, "engine/rows", bodies_.rows, bodies_.rows.size());
+  take(in, "engine/derivatives", bodies_.derivatives, bodies_.derivatives.size());
   std::fill(bodies_.calm.begin(), bodies_.calm.end(), std::uint8_t{0});
   std::vector<double> inverse(bodies_.forces.size());
-  take(in, "engine/inverse", inverse, true);
+  take(in, "engine/inverse", inverse, inverse.size());
   for (std::size_t k = 0; k < bodies_.count(); ++k) {
     bodies_.inverse[2 * k] = inverse[k * Row<D>::force_stride];
     bodies_.inverse[2 * k + 1] = inverse[k * Row<D>::force_stride + (D == 2 ? 2 : 4)];
   }
-  take(in, "engine/id", bodies_.id, true);
-  take(in, "engine/mass", bodies_.mass, true);
-  take(in, "engine/species", bodies_.species, true);
+  take(in, "engine/id", bodies_.id, bodies_.id.size());
+  take(in, "engine/mass", bodies_.mass, bodies_.mass.size());
+  take(in, "engine/species", bodies_.species, bodies_.species.size());
   load_groups(in, pairs_, parts_);
-  take(in, "engine/pair_i", pairs_.i, false);
-  take(in, "engine/pair_j", pairs_.j, false);
-  take(in, "engine/pair_shift", pairs_.shift, false);
-  take(in, "engine/pair_mbar", pairs_.mbar, false);
-  take(in, "engine/pair_spring", pairs_.springs, false);
+  take(in, "engine/pair_i", pairs_.i);
+  take(in, "engine/pair_j", pairs_.j);
+  take(in, "engine/pair_shift", pairs_.shift);
+  take(in, "engine/pair_mbar", pairs_.mbar);
+  take(in, "engine/pair_spring", pairs_.springs);
   const std::size_t pairs = pairs_.i.size();
   if (pairs_.j.size() != pairs || pairs_.shift.size() != pairs || pairs_.mbar.size() != pairs ||
       pairs_.groups.back().start.back() != pairs || pairs_.springs.size() != pairs * PairList<D>::spring_size)
-    throw data_error("the checkpoint's pair list is inconsistent", {},
-                     "delete it; the task then starts from its beginning");
-  take(in, "engine/plane_grain", plane_grain_, false);
-  take(in, "engine/plane_wall", plane_wall_, false);
-  std::vector<double> plane_spring, position(walls_.size()), velocity(walls_.size()), scalars(8);
-  take(in, "engine/plane_spring", plane_spring, false);
-  plane_spring_.resize(plane_grain_.size());
-  for (std::size_t q = 0; q < plane_spring_.size(); ++q)
-    if constexpr (D == 2)
-      plane_spring_[q] = plane_spring.at(q);
-    else
-      plane_spring_[q] = {plane_spring.at(3 * q), plane_spring.at(3 * q + 1), plane_spring.at(3 * q + 2)};
+    refuse_checkpoint("'s pair list is inconsistent");
+  take(in, "engine/plane_grain", plane_grain_);
+  take(in, "engine/plane_wall", plane_wall_);
+  take(in, "engine/plane_spring", plane_spring_, plane_grain_.size());
   first_plane_.assign(1, 0);  // they stand by stretch
   for (std::size_t q = 0, stretch = 0; stretch < parts_.stretches(); ++stretch) {
     while (q < plane_grain_.size() && parts_.stretch_of(plane_grain_[q]) == stretch) ++q;
     first_plane_.push_back(q);
   }
   if (first_plane_.back() != plane_grain_.size() || plane_wall_.size() != plane_grain_.size())
-    throw data_error("the checkpoint's plane contacts are inconsistent", {},
-                     "delete it; the task then starts from its beginning");
-  take(in, "engine/wall_position", position, true);
-  take(in, "engine/wall_velocity", velocity, true);
+    refuse_checkpoint("'s plane contacts are inconsistent");
+  std::vector<double> position(walls_.size()), velocity(walls_.size()), scalars(8);
+  take(in, "engine/wall_position", position, position.size());
+  take(in, "engine/wall_velocity", velocity, velocity.size());
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     walls_[w].position = position[w];
     walls_[w].velocity = velocity[w];
   }
-  take(in, "engine/box", box_.length, true);
+  take(in, "engine/box", box_.length, box_.length.size());
   shifts_ = image_shifts<D>(box_);
-  take(in, "engine/scalars", scalars, true);
+  take(in, "engine/scalars", scalars, scalars.size());
   box_speed_ = scalars[0], skin_ = scalars[1], moved_ = scalars[2];
-  damped_ = scalars[3], rubbed_ = scalars[4], wall_work_ = scalars[5], gravity_work_ = scalars[6];
+  booked_.damped = scalars[3], booked_.rubbed = scalars[4], booked_.wall_work = scalars[5],
+  booked_.gravity_work = scalars[6];
   const auto* planes = find_entry<std::vector<double>>(in, "engine/planes_moved");
   planes_moved_ = planes && planes->size() == 1 ? (*planes)[0] : 0;
   const auto& deepest = fetch<std::vector<double>>(in, "engine/deepest");
@@ -212,10 +169,8 @@ void Engine<D>::load(const Archive& in) {
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
   std::fill(wall_force_.begin(), wall_force_.end(), Vec<D>{});
   if (!summed_) return;
-  std::vector<double> wall_force(walls_.size() * D);
-  take(in, "engine/forces", bodies_.forces, true);
-  take(in, "engine/wall_force", wall_force, true);
-  for (std::size_t w = 0; w < walls_.size(); ++w) std::copy_n(wall_force.data() + w * D, D, wall_force_[w].c);
+  take(in, "engine/forces", bodies_.forces, bodies_.forces.size());
+  take(in, "engine/wall_force", wall_force_, walls_.size());
   for (Sums& sums : sums_) sums.fastest = {};
   few_pushed_ = false;  // leaves out nothing: no bit depends on it
 }

@@ -1,44 +1,12 @@
 // The state of an engine of clusters as named arrays, and back.
-#include <algorithm>
-#include <string>
-#include <type_traits>
 
-#include "jamscape/base/error.hpp"
 #include "jamscape/dem/cluster_engine.hpp"
+#include "jamscape/dem/stored_arrays.hpp"
 
 namespace jam {
 namespace {
 
 constexpr std::int64_t layout_version = 1;
-constexpr const char* remedy = "delete it; the task then starts from its beginning";
-
-template <class Array>
-std::vector<double> reals(const Array& a) {
-  return {std::begin(a), std::end(a)};
-}
-template <class Array>
-std::vector<std::int64_t> integers(const Array& a) {
-  return {std::begin(a), std::end(a)};
-}
-std::vector<double> components(const std::vector<Vec3>& vectors) {
-  std::vector<double> out;
-  for (const Vec3& v : vectors) out.insert(out.end(), v.c, v.c + 3);
-  return out;
-}
-
-template <class Array>
-void take(const Archive& archive, const std::string& name, Array& to, std::size_t size) {
-  using Stored = std::conditional_t<std::is_floating_point_v<typename Array::value_type>, double, std::int64_t>;
-  const auto* from = find_entry<std::vector<Stored>>(archive, name);
-  if (!from) throw data_error("the checkpoint lacks '" + name + "'", {}, remedy);
-  if (from->size() != size)
-    throw data_error("the checkpoint is of another system: '" + name + "' has " + std::to_string(from->size()) +
-                         " entries instead of " + std::to_string(size),
-                     {}, remedy);
-  to.resize(size);
-  std::transform(from->begin(), from->end(), to.begin(),
-                 [](Stored a) { return static_cast<typename Array::value_type>(a); });
-}
 
 }  // namespace
 
@@ -58,8 +26,8 @@ void ClusterEngine::save(Archive& out) const {
                                                        static_cast<std::int64_t>(pairs_.count),
                                                        static_cast<std::int64_t>(pairs_.size()),
                                                        static_cast<std::int64_t>(ends_.size())};
-  out["clusters/scalars"] =
-      std::vector<double>{dt_, wall_skin_, walls_moved_, damped_, rubbed_, wall_work_, gravity_work_};
+  out["clusters/scalars"] = std::vector<double>{
+      dt_, wall_skin_, walls_moved_, booked_.damped, booked_.rubbed, booked_.wall_work, booked_.gravity_work};
   out["clusters/rows"] = reals(bodies_.rows);
   out["clusters/momentum"] = reals(bodies_.momentum);
   out["clusters/inverse"] = reals(bodies_.inverse);
@@ -91,11 +59,11 @@ void ClusterEngine::save(Archive& out) const {
 
 void ClusterEngine::load(const Archive& in) {
   std::vector<std::int64_t> counters;
-  std::vector<double> scalars, end_spring, position, velocity;
+  std::vector<double> scalars, position, velocity;
   take(in, "clusters/counters", counters, 10);
   if (counters[0] != layout_version || counters[1] != planar_ ||
       counters[5] != static_cast<std::int64_t>(shapes_.size()))
-    throw data_error("the checkpoint is of another version or another kind of system", {}, remedy);
+    refuse_checkpoint(" is of another version or another kind of system");
   const auto size = [&](std::size_t k) { return static_cast<std::size_t>(counters[k]); };
   const std::size_t n = size(6), pairs = size(8), ends = size(9);
   take(in, "clusters/scalars", scalars, 7);
@@ -111,7 +79,7 @@ void ClusterEngine::load(const Archive& in) {
   take(in, "clusters/radius", bodies_.radius, n);
   for (std::size_t k = 0; k < n; ++k)
     if (bodies_.id[k] >= n || bodies_.shape[k] < 0 || static_cast<std::size_t>(bodies_.shape[k]) >= shapes_.size())
-      throw data_error("the checkpoint's bodies are inconsistent", {}, remedy);
+      refuse_checkpoint("'s bodies are inconsistent");
   rebuild_arms(bodies_, shapes_);
 
   pairs_.count = size(7);
@@ -126,9 +94,7 @@ void ClusterEngine::load(const Archive& in) {
   take(in, "clusters/end_arm", ends_.arm, ends);
   take(in, "clusters/end_end", ends_.end, ends);
   take(in, "clusters/end_held", ends_.held, ends);
-  take(in, "clusters/end_spring", end_spring, ends * 3);
-  ends_.spring.resize(ends);
-  for (std::size_t q = 0; q < ends; ++q) ends_.spring[q] = vec3(end_spring.data() + 3 * q);
+  take(in, "clusters/end_spring", ends_.spring, ends);
   take(in, "clusters/wall_position", position, walls_.size());
   take(in, "clusters/wall_velocity", velocity, walls_.size());
   for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -140,19 +106,18 @@ void ClusterEngine::load(const Archive& in) {
   for (std::size_t k = 0; k < pairs; ++k)
     sound = sound && pairs_.i[k] < n && pairs_.j[k] < n && pairs_.arm_i[k] < arms + 2 && pairs_.arm_j[k] < arms + 2;
   for (std::size_t q = 0; q < ends; ++q) sound = sound && ends_.wall[q] < walls_.size() && ends_.arm[q] < arms;
-  if (!sound) throw data_error("the checkpoint's lists are inconsistent", {}, remedy);
+  if (!sound) refuse_checkpoint("'s lists are inconsistent");
   contacts_.resize(pairs);
   forget_forces();
   summed_ = in.contains("clusters/forces");
   if (summed_) {
-    std::vector<double> wall_force;
     take(in, "clusters/forces", bodies_.forces, n * ClusterRow::force_stride);
-    take(in, "clusters/wall_force", wall_force, 3 * walls_.size());
-    for (std::size_t w = 0; w < walls_.size(); ++w) wall_force_[w] = vec3(wall_force.data() + 3 * w);
+    take(in, "clusters/wall_force", wall_force_, walls_.size());
   }
   step_ = counters[2], lists_ = counters[3], stale_ = counters[4] != 0;
   wall_skin_ = scalars[1], walls_moved_ = scalars[2];
-  damped_ = scalars[3], rubbed_ = scalars[4], wall_work_ = scalars[5], gravity_work_ = scalars[6];
+  booked_.damped = scalars[3], booked_.rubbed = scalars[4], booked_.wall_work = scalars[5],
+  booked_.gravity_work = scalars[6];
 }
 
 }  // namespace jam

@@ -9,9 +9,10 @@
 #include <limits>
 #include <numbers>
 
-#include "jamscape/base/error.hpp"
+#include "jamscape/dem/cell_grid.hpp"
 #include "jamscape/dem/cluster_contact.hpp"
 #include "jamscape/dem/cluster_merge.hpp"
+#include "jamscape/dem/slots.hpp"
 
 namespace jam {
 namespace {
@@ -27,17 +28,8 @@ constexpr double list_cost = 15, thinnest_skin = 0.005, widest_skin = 1.0;
 /// Over the present speed, and over the speed that a fifth of the bodies do not reach: bodies at rest are hit, slow
 /// ones speed up.
 constexpr double speed_margin = 1.2, slow_margin = 3;
-/// Bodies are put back into spatial order at every so-manieth list.
-constexpr std::int64_t lists_per_order = 16;
-
 /// Where more than this part of the listed pairs touched at the last step, they are not collected first.
 constexpr double most_touch = 0.45;
-
-double sum(const double (&slots)[block]) {
-  double s = 0;
-  for (const double a : slots) s += a;
-  return s;
-}
 
 }  // namespace
 
@@ -163,14 +155,14 @@ void ClusterEngine::sum_forces() {
     kernels_->press(press_arrays(bodies_, pairs_, contacts_, rule, tally));
   }
   forget_parted();
-  damped_ += sum(tally.damped) * dt_;
-  rubbed_ += sum(tally.rubbed);
+  booked_.damped += sum_of(tally.damped) * dt_;
+  booked_.rubbed += sum_of(tally.rubbed);
   for (const double e : tally.excess)
     if (!(e <= 0)) fail_deep();
   touch_walls();
   for (std::size_t w = 0; w < walls_.size(); ++w)
-    wall_work_ -= wall_force_[w][walls_[w].axis] * walls_[w].velocity * dt_;
-  gravity_work_ += weight_power() * dt_;
+    booked_.wall_work -= wall_force_[w][walls_[w].axis] * walls_[w].velocity * dt_;
+  booked_.gravity_work += weight_power() * dt_;
 }
 
 /// Of gravity, at the velocities that the forces see.
@@ -187,7 +179,7 @@ void ClusterEngine::forget_parted() {
   for (std::size_t q = 0; q < pairs_.held.size(); ++q) {
     for (unsigned lost = pairs_.held[q] & ~static_cast<unsigned>(contacts_.touching[q]); lost; lost &= lost - 1) {
       double* spring = pairs_.springs.data() + 4 * (q * block + static_cast<std::size_t>(std::countr_zero(lost)));
-      if (!hertzian(kind_)) rubbed_ += spring_energy(grain_law_.k_t, vec3(spring));
+      if (!hertzian(kind_)) booked_.rubbed += spring_energy(grain_law_.k_t, vec3(spring));
       std::fill_n(spring, 3, 0.0);
     }
     pairs_.held[q] = contacts_.touching[q];
@@ -202,7 +194,7 @@ void ClusterEngine::touch_walls() {
     Vec3& spring = ends_.spring[q];
     if (!(wall_overlap(wall, arm, ends_.end[q]) > 0)) {
       if (!ends_.held[q]) continue;
-      if (!hertzian(law)) rubbed_ += spring_energy(wall_law_.k_t, spring);
+      if (!hertzian(law)) booked_.rubbed += spring_energy(wall_law_.k_t, spring);
       spring = Vec3{};
       ends_.held[q] = 0;
       continue;
@@ -221,8 +213,8 @@ void ClusterEngine::touch_walls() {
     double* sum = bodies_.force(k);
     for (int c = 0; c < 3; ++c) sum[c] += force[c], sum[4 + c] += torque[c];
     wall_force_[ends_.wall[q]] -= force;
-    damped_ += f.damped * dt_;
-    rubbed_ += f.rubbed;
+    booked_.damped += f.damped * dt_;
+    booked_.rubbed += f.rubbed;
   }
 }
 
@@ -262,9 +254,8 @@ double ClusterEngine::kinetic_energy() const {
 }
 
 void ClusterEngine::check() const {
-  for (std::size_t k = 0; k < bodies_.count(); ++k)
-    for (std::size_t c = 0; c < R::stride; ++c)
-      if (!std::isfinite(bodies_.row(k)[c])) fail(k, "has a position or velocity that is not a number");
+  const std::size_t odd = find_not_finite(bodies_.rows.data(), bodies_.count(), R::stride);
+  if (odd < bodies_.count()) fail(odd, not_a_number);
 }
 
 void ClusterEngine::fail_deep() const {
@@ -281,21 +272,11 @@ void ClusterEngine::fail_deep() const {
 }
 
 void ClusterEngine::fail(std::size_t body, const std::string& problem) const {
-  constexpr double steps_needed = 8;  // time steps a contact lasts
   double lightest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < bodies_.count(); ++k) lightest = std::min(lightest, bodies_.row(k)[R::mass]);
-  const double lasts = std::numbers::pi * std::sqrt(lightest / 2 / std::max(grain_law_.k_n, wall_law_.k_n));
-  const std::string cause =
-      lasts < steps_needed * dt_
-          ? fmt::format(
-                "the time step {:.3g} is too long for the stiffness: a contact of the lightest bodies lasts "
-                "{:.2g}; {:.2g} would do",
-                dt_, lasts, lasts / 40)
-          : "bodies or the lid hit too hard for the stiffness";
-  const double* x = bodies_.row(body);
-  throw Diverged("step " + std::to_string(step_) + ": body " + std::to_string(bodies_.id[body]) + " at (" +
-                 std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + ") " + problem +
-                 "; likely " + cause);
+  const std::string too_long = step_too_long(dt_, lightest, std::max(grain_law_.k_n, wall_law_.k_n), "bodies");
+  throw diverged_at(step_, "body " + std::to_string(bodies_.id[body]), {bodies_.row(body), 3}, problem,
+                    too_long.empty() ? "bodies or the lid hit too hard for the stiffness" : too_long);
 }
 
 }  // namespace jam

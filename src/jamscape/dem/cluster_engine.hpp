@@ -25,6 +25,7 @@
 #include "jamscape/dem/cluster_list.hpp"
 #include "jamscape/dem/cluster_rules.hpp"
 #include "jamscape/dem/cluster_walls.hpp"
+#include "jamscape/dem/contact_record.hpp"
 #include "jamscape/dem/diverged.hpp"
 #include "jamscape/packing/packing.hpp"
 
@@ -136,7 +137,7 @@ class ClusterEngine {
   bool stale_ = true;
   bool summed_ = false;     ///< the forces of this instant are known, and booked
   std::int64_t lists_ = 0;  ///< made so far; bodies are reordered at some of them
-  double damped_ = 0, rubbed_ = 0, wall_work_ = 0, gravity_work_ = 0;
+  Booked booked_;
 };
 
 }  // namespace jam

@@ -1,8 +1,6 @@
 #include "jamscape/dem/cluster_kernel.hpp"
 
-#include <string_view>
-
-#include "jamscape/dem/kernel.hpp"
+#include "jamscape/dem/kernel_choice.hpp"
 
 namespace jam {
 
@@ -11,30 +9,17 @@ const ClusterKernels& avx2_cluster_kernels();
 const ClusterKernels& avx512_cluster_kernels();
 #endif
 
-std::vector<const ClusterKernels*> available_cluster_kernels() {
-  std::vector<const ClusterKernels*> list{&plain_cluster_kernels()};
+std::span<const ClusterKernels* const> available_cluster_kernels() {
 #ifdef JAM_X86
-  const KernelList runs = available_kernels();
-  const auto has = [&](const ClusterKernels& kernels) {
-    for (int k = 0; k < runs.count; ++k)
-      if (std::string_view(runs.entry[k]->name) == kernels.name) return true;
-    return false;
-  };
-  for (const ClusterKernels* kernels : {&avx2_cluster_kernels(), &avx512_cluster_kernels()})
-    if (has(*kernels)) list.push_back(kernels);
+  static const ClusterKernels* const all[] = {&plain_cluster_kernels(), &avx2_cluster_kernels(),
+                                              &avx512_cluster_kernels()};
+#else
+  static const ClusterKernels* const all[] = {&plain_cluster_kernels()};
 #endif
-  return list;
+  return {all, widths_available()};
 }
 
-const ClusterKernels& best_cluster_kernels() {
-  const std::string_view name = best_kernels().name;
-  const ClusterKernels* best = nullptr;
-  for (const ClusterKernels* kernels : available_cluster_kernels()) {
-    best = kernels;
-    if (kernels->name == name) break;
-  }
-  return *best;
-}
+const ClusterKernels& best_cluster_kernels() { return *available_cluster_kernels()[width_in_use()]; }
 
 void ArmContacts::resize(std::size_t pairs) {
   count = 0;

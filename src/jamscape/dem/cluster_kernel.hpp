@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "jamscape/contact/law.hpp"
 #include "jamscape/dem/cluster_list.hpp"
@@ -124,8 +125,8 @@ struct ClusterKernels {
 /// The readable one: loops over pairs, contacts, bodies. Oracle of the others.
 const ClusterKernels& plain_cluster_kernels();
 /// All that this processor runs, narrowest first.
-std::vector<const ClusterKernels*> available_cluster_kernels();
-/// The one of the name of best_kernels().
+std::span<const ClusterKernels* const> available_cluster_kernels();
+/// Those in use (kernel_choice.hpp).
 const ClusterKernels& best_cluster_kernels();
 
 }  // namespace jam

@@ -1,13 +1,11 @@
 // The full record of an instant: every contact by the same law function the kernels use, checked against their sums.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
-#include "jamscape/base/error.hpp"
 #include "jamscape/dem/cluster_contact.hpp"
 #include "jamscape/dem/cluster_engine.hpp"
 #include "jamscape/dem/cluster_merge.hpp"
+#include "jamscape/dem/contact_record.hpp"
 
 namespace jam {
 namespace {
@@ -17,37 +15,6 @@ using R = ClusterRow;
 /// Velocity of a body's point at `lever` from its centre of mass.
 Vec3 velocity_at(const double* row, const Vec3& lever) {
   return vec3(row + R::velocity) + cross(vec3(row + R::spin), lever);
-}
-
-/// Appends a contact's forces; returns the force on i.
-Vec3 append_forces(Contacts& out, ElasticEnergy& energy, const PairLaw<>& law, NormalLaw kind, const Vec3& n, double x,
-                   double mbar, const Vec3& v, Vec3 spring) {
-  const auto f = with_law(kind, [&]<NormalLaw normal>() {
-    energy.add<normal>(law, x, spring);
-    return law.mu > 0 ? touch<3, normal, true>(law, n, x, mbar, v, Vec3{}, spring, 0.0)
-                      : touch<3, normal, false>(law, n, x, mbar, v, Vec3{}, spring, 0.0);
-  });
-  out.overlap.push_back(x);
-  out.normal_force.push_back(f.normal);
-  out.normal.push_back(n);
-  out.tangential_force.push_back(f.tangential);
-  out.sliding.push_back(law.mu > 0 && norm(f.tangential) >= f.limit * (1 - 1e-9));
-  return (-f.normal) * n + f.tangential;
-}
-
-/// All arrays of contacts in the order of (i, j, part_i, part_j).
-void sort_contacts(Contacts& c) {
-  std::vector<std::size_t> order(c.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::tuple(c.i[a], c.j[a], c.part_i[a], c.part_j[a]) < std::tuple(c.i[b], c.j[b], c.part_i[b], c.part_j[b]);
-  });
-  const auto permute = [&](auto& values) {
-    const auto old = values;
-    for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[order[k]];
-  };
-  permute(c.i), permute(c.j), permute(c.part_i), permute(c.part_j), permute(c.image), permute(c.overlap);
-  permute(c.normal_force), permute(c.normal), permute(c.tangential_force), permute(c.point), permute(c.sliding);
 }
 
 void describe_walls(Packing& out, const std::vector<ClusterWall>& walls, const std::vector<Vec3>& force) {
@@ -92,6 +59,7 @@ Packing ClusterEngine::record() {
   g.id.resize(n), g.species.resize(n), g.radius.resize(n), g.mass.resize(n);
   g.position.resize(n), g.velocity.resize(n), g.spin.resize(n), g.angle.resize(n);
   g.shape.resize(n), g.scale.resize(n), g.orientation.resize(n);
+  double kinetic = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t a = bodies_.id[k];
     const double *row = bodies_.row(k), *inverse = bodies_.inverse.data() + k * R::force_stride;
@@ -110,7 +78,7 @@ Packing ClusterEngine::record() {
       momentum[c] = bodies_.momentum[4 * k + e] + torque[c] * (dt_ / 2);
     }
     g.spin[a] = spin_of(bodies_, k, momentum);
-    out.energy.kinetic += 0.5 * (g.mass[a] * dot(g.velocity[a], g.velocity[a]) + dot(g.spin[a], momentum));
+    kinetic += 0.5 * (g.mass[a] * dot(g.velocity[a], g.velocity[a]) + dot(g.spin[a], momentum));
   }
 
   std::vector<Vec3> force_sum(n, Vec3{}), torque_sum(n, Vec3{});
@@ -139,8 +107,8 @@ Packing ClusterEngine::record() {
         touch_arms(parallel_, bodies_.arm(pairs_.arm_i[k]), bodies_.arm(pairs_.arm_j[k]), parallel_sine2_);
     const Vec3 lever_i = t.point - vec3(bodies_.row(i)), lever_j = t.point - vec3(bodies_.row(j));
     const Vec3 v = velocity_at(bodies_.row(i), lever_i) - velocity_at(bodies_.row(j), lever_j);
-    const Vec3 force =
-        append_forces(c, energy, grain_law_, kind_, t.normal, t.overlap, pairs_.mbar[k], v, pairs_.spring(k));
+    const Vec3 force = append_forces<3, false>(c, energy, grain_law_, kind_,
+                                               {t.normal, t.overlap, pairs_.mbar[k], v, {}, pairs_.spring(k)});
     add(i, lever_i, force);
     add(j, lever_j, -1.0 * force);
     c.i.push_back(bodies_.id[i]);
@@ -159,7 +127,9 @@ Packing ClusterEngine::record() {
     const Vec3 lever = t.point - vec3(row);
     Vec3 v = velocity_at(row, lever);
     v[wall.axis] -= wall.velocity;
-    add(i, lever, append_forces(c, energy, wall_law_, kind_, t.normal, t.overlap, row[R::mass], v, ends_.spring[q]));
+    add(i, lever,
+        append_forces<3, false>(c, energy, wall_law_, kind_,
+                                {t.normal, t.overlap, row[R::mass], v, {}, ends_.spring[q]}));
     c.i.push_back(bodies_.id[i]);
     c.j.push_back(-1 - static_cast<std::int32_t>(ends_.wall[q]));
     c.part_i.push_back(part_of(ends_.arm[q]));
@@ -173,14 +143,9 @@ Packing ClusterEngine::record() {
     const Vec3 force = force_on(k), torque = vec3(bodies_.force(k) + 4);
     if (norm(force - force_sum[k]) > 1e-9 * (scale + norm(force)) ||
         norm(torque - torque_sum[k]) > 1e-9 * (turning_scale + norm(torque)))
-      throw Error(ExitCode::bug, "the contacts of body " + std::to_string(bodies_.id[k]) + " at step " +
-                                     std::to_string(step_) + " do not add up to the force it was moved with");
+      refuse_sums("body " + std::to_string(bodies_.id[k]), step_);
   }
-  out.energy.elastic = energy.normal + energy.tangential;
-  out.energy.damped = damped_;
-  out.energy.rubbed = hertzian(kind_) ? rubbed_ - energy.tangential : rubbed_;
-  out.energy.wall_work = wall_work_;
-  out.energy.gravity_work = gravity_work_;
+  out.energy = ledger_of(booked_, kinetic, energy, kind_);
   return out;
 }
 

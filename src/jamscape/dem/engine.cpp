@@ -7,8 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "jamscape/base/error.hpp"
-
 namespace jam {
 
 template <int D>
@@ -86,13 +84,14 @@ Engine<D>::Engine(const EngineSetup<D>& setup, const Kernels& kernels)
   std::fill(bodies_.forces.begin(), bodies_.forces.end(), 0.0);
   std::fill(wall_force_.begin(), wall_force_.end(), Vec<D>{});
   summed_ = false;
-  damped_ = rubbed_ = wall_work_ = gravity_work_ = 0;
+  booked_ = {};
 }
 
 template <int D>
-void Engine<D>::set_threads(int threads) {
-  const int used = parts_.size() == 1 ? 1 : threads;
+int Engine<D>::set_threads(int wanted) {
+  const int used = parts_.threads_of_use(wanted);
   if (used != team_->size()) team_ = std::make_unique<ThreadTeam>(used);
+  return used;
 }
 
 /// A grain whose centre is beyond a plane, or beyond the line of a wall's bead centres, will not come back.
@@ -109,9 +108,8 @@ void Engine<D>::check_inside() const {
 
 template <int D>
 void Engine<D>::check() const {
-  for (std::size_t k = 0; k < bodies_.count(); ++k)
-    for (std::size_t c = 0; c < Row<D>::stride; ++c)
-      if (!std::isfinite(bodies_.row(k)[c])) fail(k, "has a position or velocity that is not a number");
+  const std::size_t odd = find_not_finite(bodies_.rows.data(), bodies_.count(), Row<D>::stride);
+  if (odd < bodies_.count()) fail(odd, not_a_number);
   check_inside();
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     if (pairs_.i[k] >= bodies_.grains) continue;
@@ -146,7 +144,7 @@ void Engine<D>::check_speed(double bound) const {
 template <int D>
 std::string Engine<D>::likely_cause(const std::string& otherwise) const {
   constexpr double overfull = D == 2 ? 0.95 : 0.8;  // of the box: everything overlaps by some percent
-  constexpr double steps_needed = 8, deep = 0.1;    // time steps a contact lasts; overlap over diameter
+  constexpr double deep = 0.1;                      // overlap over diameter at which Hertz contacts are judged
   double room = 1;
   for (int axis = 0; axis < D; ++axis) {
     double lo = 0, hi = box_.length[static_cast<std::size_t>(axis)];
@@ -166,24 +164,16 @@ std::string Engine<D>::likely_cause(const std::string& otherwise) const {
         D == 2 ? "area" : "volume", filled / room);
   const double k_n =
       std::max(grain_law_.k_n, wall_law_.k_n) * (hertzian(kind_) ? 1.5 * std::sqrt(deep * diameter_) : 1.0);
-  const double lasts = std::numbers::pi * std::sqrt(lightest / 2 / k_n);
-  if (lasts < steps_needed * dt_)
-    return fmt::format(
-        "the time step {:.3g} is too long for the stiffness: a contact of the lightest grains lasts {:.2g}; {:.2g} "
-        "would "
-        "do",
-        dt_, lasts, lasts / 40);
-  return otherwise;
+  const std::string too_long = step_too_long(dt_, lightest, k_n, "grains");
+  return too_long.empty() ? otherwise : too_long;
 }
 
 template <int D>
 void Engine<D>::fail(std::size_t body, const std::string& problem, const std::string& otherwise) const {
-  std::string place;
-  for (int c = 0; c < D; ++c) place += (c ? ", " : "") + std::to_string(bodies_.row(body)[c]);
-  throw Diverged("step " + std::to_string(step_) + ": " +
-                 (body < bodies_.grains ? "grain " + std::to_string(bodies_.id[body])
-                                        : "wall bead " + std::to_string(body - bodies_.grains)) +
-                 " at (" + place + ") " + problem + "; likely " + likely_cause(otherwise));
+  throw diverged_at(step_,
+                    body < bodies_.grains ? "grain " + std::to_string(bodies_.id[body])
+                                          : "wall bead " + std::to_string(body - bodies_.grains),
+                    {bodies_.row(body), D}, problem, likely_cause(otherwise));
 }
 
 template class Engine<2>;

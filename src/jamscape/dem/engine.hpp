@@ -18,6 +18,7 @@
 #include "jamscape/base/thread_team.hpp"
 #include "jamscape/contact/law.hpp"
 #include "jamscape/dem/bodies.hpp"
+#include "jamscape/dem/contact_record.hpp"
 #include "jamscape/dem/diverged.hpp"
 #include "jamscape/dem/kernel.hpp"
 #include "jamscape/dem/pair_list.hpp"
@@ -64,8 +65,9 @@ class Engine {
  public:
   explicit Engine(const EngineSetup<D>& setup, const Kernels& kernels = best_kernels());
 
-  /// How many threads share a step; they change no bit of it. Packings of one part (see Parts) are stepped by one.
-  void set_threads(int threads);
+  /// Threads that share a step from now on, as many of those wanted as are of use (see Parts); returns how many that
+  /// are. They change no bit.
+  int set_threads(int wanted);
 
   /// Forces at the present positions and half-step (Verlet) or predicted (Gear) velocities, unless they are known.
   /// Throws Diverged.
@@ -178,7 +180,7 @@ class Engine {
   bool stale_ = true;
   bool summed_ = false;     ///< the forces of this instant are known, and booked
   std::int64_t lists_ = 0;  ///< made so far; grains are reordered at some of them
-  double damped_ = 0, rubbed_ = 0, wall_work_ = 0, gravity_work_ = 0;
+  Booked booked_;
 };
 
 extern template class Engine<2>;

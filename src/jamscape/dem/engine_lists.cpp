@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jamscape/dem/cell_grid.hpp"
 #include "jamscape/dem/engine.hpp"
 
 namespace jam {
@@ -15,9 +16,6 @@ constexpr double list_cost = 40, thinnest_skin = 0.01, widest_skin = 0.3;
 /// Near pairs are looked through for those to watch when these may have changed. Cost of that over the cost of testing
 /// them once, as for the skin: the width watched is sqrt(watch_cost * closing * skin).
 constexpr double watch_cost = 1;
-/// Grains are put back into spatial order at every so-manieth list.
-constexpr std::int64_t lists_per_order = 16;
-
 }  // namespace
 
 template <int D>

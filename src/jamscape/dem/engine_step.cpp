@@ -3,18 +3,9 @@
 #include <cmath>
 
 #include "jamscape/dem/engine.hpp"
+#include "jamscape/dem/slots.hpp"
 
 namespace jam {
-namespace {
-
-double sum(const double (&slots)[block]) {
-  double s = 0;
-  for (const double a : slots) s += a;
-  return s;
-}
-
-}  // namespace
-
 template <int D>
 void Engine<D>::compute_forces() {
   if (summed_) return;
@@ -109,19 +100,20 @@ template <int D>
 void Engine<D>::add_up() {
   double damped = 0, rubbed = 0, virial = 0, gravity_power = 0;
   for (const Sums& sums : sums_) {
-    damped += sum(sums.tally.damped);
-    rubbed += sum(sums.tally.rubbed);
-    virial += sum(sums.tally.virial);
+    damped += sum_of(sums.tally.damped);
+    rubbed += sum_of(sums.tally.rubbed);
+    virial += sum_of(sums.tally.virial);
     gravity_power += sums.gravity_power;
     for (std::size_t w = 0; w < walls_.size(); ++w) wall_force_[w] += sums.wall_force[w];
   }
-  gravity_work_ += gravity_power * dt_;
+  booked_.gravity_work += gravity_power * dt_;
   for (const EngineWall<D>& wall : walls_)
     if (wall.kind == WallKind::plane)
-      wall_work_ -= wall_force_[static_cast<std::size_t>(&wall - walls_.data())][wall.axis] * wall.velocity * dt_;
-  damped_ += damped * dt_;
-  rubbed_ += rubbed;
-  if (box_speed_ != 0) wall_work_ += shrinking() * dt_ * virial;
+      booked_.wall_work -=
+          wall_force_[static_cast<std::size_t>(&wall - walls_.data())][wall.axis] * wall.velocity * dt_;
+  booked_.damped += damped * dt_;
+  booked_.rubbed += rubbed;
+  if (box_speed_ != 0) booked_.wall_work += shrinking() * dt_ * virial;
 }
 
 /// Moves the walls, and sees how far bodies may have come.

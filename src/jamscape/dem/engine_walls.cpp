@@ -96,11 +96,11 @@ void Engine<D>::collect_beads() {
     Vec<D>& force = wall_force_[w];
     for (std::size_t b = first_bead_[w]; b < first_bead_[w] + walls_[w].beads.size(); ++b)
       for (int c = 0; c < D; ++c) force[c] += bodies_.forces[b * Row<D>::force_stride + static_cast<std::size_t>(c)];
-    wall_work_ -= force[walls_[w].axis] * walls_[w].velocity * dt_;
+    booked_.wall_work -= force[walls_[w].axis] * walls_[w].velocity * dt_;
     if constexpr (D == 2) {
       const auto along = 1 - static_cast<std::size_t>(walls_[w].axis);
       for (std::size_t b = first_bead_[w]; b < first_bead_[w] + walls_[w].along.size(); ++b)
-        wall_work_ -= bodies_.forces[b * Row<D>::force_stride + along] * bodies_.row(b)[Row<D>::velocity + along] * dt_;
+        booked_.wall_work -= bodies_.forces[b * Row<D>::force_stride + along] * bodies_.row(b)[Row<D>::velocity + along] * dt_;
     }
   }
 }

@@ -1,10 +1,6 @@
 #include "jamscape/dem/kernel.hpp"
 
-#include <cstdlib>
-#include <string>
-#include <string_view>
-
-#include "jamscape/base/error.hpp"
+#include "jamscape/dem/kernel_choice.hpp"
 
 namespace jam {
 
@@ -13,38 +9,15 @@ const Kernels& avx2_kernels();
 const Kernels& avx512_kernels();
 #endif
 
-KernelList available_kernels() {
-  KernelList list{{&plain_kernels()}, 1};
+std::span<const Kernels* const> available_kernels() {
 #ifdef JAM_X86
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
-    list.entry[list.count++] = &avx2_kernels();
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
-      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd"))
-    list.entry[list.count++] = &avx512_kernels();
+  static const Kernels* const all[] = {&plain_kernels(), &avx2_kernels(), &avx512_kernels()};
+#else
+  static const Kernels* const all[] = {&plain_kernels()};
 #endif
-  return list;
+  return {all, widths_available()};
 }
 
-namespace {
-
-const Kernels& choose() {
-  const KernelList list = available_kernels();
-  const char* wish = std::getenv("JAMSCAPE_KERNELS");
-  if (!wish || !*wish) return *list.entry[list.count - 1];
-  std::string names;
-  for (int k = 0; k < list.count; ++k) {
-    if (std::string_view(list.entry[k]->name) == wish) return *list.entry[k];
-    names += (k ? ", " : "") + std::string(list.entry[k]->name);
-  }
-  throw usage_error("JAMSCAPE_KERNELS=" + std::string(wish) + " is not to be had on this processor", {},
-                    names + ", or leave it unset");
-}
-
-}  // namespace
-
-const Kernels& best_kernels() {
-  static const Kernels& kernels = choose();
-  return kernels;
-}
+const Kernels& best_kernels() { return *available_kernels()[width_in_use()]; }
 
 }  // namespace jam

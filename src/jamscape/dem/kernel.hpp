@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "jamscape/contact/law.hpp"
 #include "jamscape/dem/near_bodies.hpp"
@@ -122,12 +123,8 @@ struct Kernels {
 /// The readable one: a loop over pairs and one over bodies. Oracle of the others.
 const Kernels& plain_kernels();
 /// All that this processor runs, narrowest first.
-struct KernelList {
-  const Kernels* entry[3];
-  int count;
-};
-KernelList available_kernels();
-/// The widest this processor runs; JAMSCAPE_KERNELS=plain|avx2|avx512 in the environment picks another.
+std::span<const Kernels* const> available_kernels();
+/// Those in use (kernel_choice.hpp).
 const Kernels& best_kernels();
 
 }  // namespace jam

@@ -35,6 +35,8 @@ class Parts {
   Parts() = default;
   Parts(int dimension, std::size_t grains, std::size_t beads);
 
+  /// Threads that find something to do, of so many: one for each part with grains.
+  int threads_of_use(int wanted) const { return std::clamp(wanted, 1, static_cast<int>(with_grains_)); }
   /// That hold grains, the first ones.
   std::size_t with_grains() const { return with_grains_; }
   std::size_t size() const { return size_; }

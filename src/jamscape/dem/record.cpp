@@ -2,68 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
-#include "jamscape/base/error.hpp"
+#include "jamscape/dem/contact_record.hpp"
 #include "jamscape/dem/engine.hpp"
 #include "jamscape/dem/spin.hpp"
 
 namespace jam {
-namespace {
-
-template <int D>
-Vec3 widen(const Vec<D>& a) {
-  Vec3 b{};
-  for (int c = 0; c < D; ++c) b[c] = a[c];
-  return b;
-}
-
-template <int D>
-struct Touching {
-  Vec<D> n;
-  double x, lever_i, mbar;
-  Vec<D> v;
-  Axial<D> lw, spring;
-};
-
-/// Appends a contact's forces; returns the force on i.
-template <int D>
-Vec<D> append_forces(Contacts& out, ElasticEnergy& energy, const PairLaw<>& law, NormalLaw kind, const Touching<D>& t) {
-  Axial<D> spring = t.spring;
-  const auto f = with_law(kind, [&]<NormalLaw normal>() {
-    energy.add<normal>(law, t.x, spring);
-    return law.mu > 0 ? touch<D, normal, true, fused<D>>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0)
-                      : touch<D, normal, false, fused<D>>(law, t.n, t.x, t.mbar, t.v, t.lw, spring, 0.0);
-  });
-  Vec<D> tangential;
-  if constexpr (D == 2)
-    tangential = {-f.tangential * t.n[1], f.tangential * t.n[0]};
-  else
-    tangential = f.tangential;
-  out.overlap.push_back(t.x);
-  out.normal_force.push_back(f.normal);
-  out.normal.push_back(widen<D>(t.n));
-  out.tangential_force.push_back(widen<D>(tangential));
-  out.sliding.push_back(law.mu > 0 && norm(tangential) >= f.limit * (1 - 1e-9));
-  return (-f.normal) * t.n + tangential;
-}
-
-/// All arrays of contacts in the order of (i, j, part_i, part_j).
-void sort_contacts(Contacts& c) {
-  std::vector<std::size_t> order(c.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::tuple(c.i[a], c.j[a], c.part_i[a], c.part_j[a]) < std::tuple(c.i[b], c.j[b], c.part_i[b], c.part_j[b]);
-  });
-  auto permute = [&](auto& values) {
-    auto old = values;
-    for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[order[k]];
-  };
-  permute(c.i), permute(c.j), permute(c.part_i), permute(c.part_j), permute(c.image), permute(c.overlap);
-  permute(c.normal_force), permute(c.normal), permute(c.tangential_force), permute(c.point), permute(c.sliding);
-}
-
-}  // namespace
 
 template <int D>
 Packing Engine<D>::record() {
@@ -102,6 +46,7 @@ Packing Engine<D>::record() {
   const std::size_t n = bodies_.grains;
   g.id.resize(n), g.species.resize(n), g.radius.resize(n), g.mass.resize(n);
   g.position.resize(n), g.velocity.resize(n), g.spin.resize(n), g.angle.resize(n);
+  double kinetic = 0;
   const double half = scheme_ == Scheme::verlet ? dt_ / 2 : 0.0;
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t a = bodies_.id[k];
@@ -115,13 +60,13 @@ Packing Engine<D>::record() {
       const auto e = static_cast<std::size_t>(c);
       g.position[a][c] = row[e];
       g.velocity[a][c] = row[R::velocity + e] + force[e] * bodies_.inverse_mass(k) * half;
-      out.energy.kinetic += 0.5 * g.mass[a] * g.velocity[a][c] * g.velocity[a][c];
+      kinetic += 0.5 * g.mass[a] * g.velocity[a][c] * g.velocity[a][c];
     }
     for (int c = D == 2 ? 2 : 0; c < 3; ++c) {
       const std::size_t at = D == 2 ? 0 : static_cast<std::size_t>(c), f = D == 2 ? 2 : 4 + at;
       g.spin[a][c] = row[R::spin + at] + force[f] * bodies_.inverse_inertia(k) * half;
       g.angle[a][c] = row[R::angle + at];
-      out.energy.kinetic += 0.5 * g.spin[a][c] * g.spin[a][c] / bodies_.inverse_inertia(k);
+      kinetic += 0.5 * g.spin[a][c] * g.spin[a][c] / bodies_.inverse_inertia(k);
     }
   }
 
@@ -148,8 +93,8 @@ Packing Engine<D>::record() {
     t.n = (1 / r) * d;
     t.x = reach - r;
     t.mbar = pairs_.mbar[k];
-    t.lever_i = a[R::radius] - law.lever_cut * t.x;
-    t.lw = levered_spin<D>(a, t.lever_i) + levered_spin<D>(b, b[R::radius] - law.lever_cut * t.x);
+    t.lw =
+        levered_spin<D>(a, a[R::radius] - law.lever_cut * t.x) + levered_spin<D>(b, b[R::radius] - law.lever_cut * t.x);
     for (int e = 0; e < D; ++e) {
       t.v[e] = a[R::velocity + static_cast<std::size_t>(e)] - b[R::velocity + static_cast<std::size_t>(e)];
       if (box_speed_ != 0) t.v[e] = add_product<fused<D>>(t.v[e], shrinking(), d[e]);
@@ -158,7 +103,7 @@ Packing Engine<D>::record() {
       t.spring = *pairs_.spring(k);
     else
       t.spring = {pairs_.spring(k)[0], pairs_.spring(k)[block], pairs_.spring(k)[2 * block]};
-    const Vec<D> force = append_forces<D>(c, energy, law, kind_, t);
+    const Vec<D> force = append_forces<D, fused<D>>(c, energy, law, kind_, t);
     sums[bodies_.id[i]] += force;
     if (!bead) sums[bodies_.id[j]] -= force;
     scale = std::max(scale, norm(force));
@@ -197,12 +142,11 @@ Packing Engine<D>::record() {
     t.n[wall.axis] = -sign;
     t.x = x;
     t.mbar = bodies_.mass[i];
-    t.lever_i = a[R::radius] - wall_law_.lever_cut * x;
-    t.lw = levered_spin<D>(a, t.lever_i);
+    t.lw = levered_spin<D>(a, a[R::radius] - wall_law_.lever_cut * x);
     for (int e = 0; e < D; ++e) t.v[e] = a[R::velocity + static_cast<std::size_t>(e)];
     t.v[wall.axis] -= wall.velocity;
     t.spring = plane_spring_[q];
-    const Vec<D> force = append_forces<D>(c, energy, wall_law_, kind_, t);
+    const Vec<D> force = append_forces<D, fused<D>>(c, energy, wall_law_, kind_, t);
     sums[bodies_.id[i]] += force;
     scale = std::max(scale, norm(force));
     c.point.push_back(widen<D>(bodies_.position(i) + (a[R::radius] - x / 2) * t.n));
@@ -216,14 +160,9 @@ Packing Engine<D>::record() {
     for (int e = 0; e < D; ++e) {
       const double summed = bodies_.forces[k * R::force_stride + static_cast<std::size_t>(e)];
       if (std::abs(summed - sums[bodies_.id[k]][e]) > 1e-9 * (scale + std::abs(summed)))
-        throw Error(ExitCode::bug, "the contacts of grain " + std::to_string(bodies_.id[k]) + " at step " +
-                                       std::to_string(step_) + " do not add up to the force it was moved with");
+        refuse_sums("grain " + std::to_string(bodies_.id[k]), step_);
     }
-  out.energy.elastic = energy.normal + energy.tangential;
-  out.energy.damped = damped_;
-  out.energy.rubbed = hertzian(kind_) ? rubbed_ - energy.tangential : rubbed_;
-  out.energy.wall_work = wall_work_;
-  out.energy.gravity_work = gravity_work_;
+  out.energy = ledger_of(booked_, kinetic, energy, kind_);
   return out;
 }
 
