@@ -15,6 +15,7 @@
 #include "jamscape/base/file_lacks.hpp"
 #include "jamscape/base/progress.hpp"
 #include "jamscape/base/stop_signal.hpp"
+#include "jamscape/protocol/driver.hpp"
 #include "jamscape/study/advice.hpp"
 #include "jamscape/study/measure_task.hpp"
 #include "jamscape/study/results.hpp"
@@ -36,8 +37,17 @@ struct RunArguments {
 
 /// What a simple estimate takes for granted until the run itself measures: grain-steps a second of one core.
 double assumed_rate(const SystemOptions& system) {
-  if (is_container(system.domain.walls)) return system.domain.dimension == 2 ? 1e7 : 9e6;
+  if (engine_of(system) == EngineKind::clusters) return system.domain.dimension == 2 ? 1e7 : 9e6;
   return 1e8;
+}
+
+/// Systems whose runs cannot use all the threads asked for.
+std::vector<std::string> idle_threads(const Study& study, int wanted) {
+  std::vector<std::string> said;
+  for (const System& s : study.systems)
+    if (const int used = threads_of_use(s.options, wanted); used < wanted)
+      said.push_back(fmt::format("system '{}': of {} threads each run uses {}", s.name, wanted, used));
+  return said;
 }
 
 ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunArguments& a, int jobs) {
@@ -59,7 +69,8 @@ ExitCode dry_run(const Study& study, const std::vector<Task>& tasks, const RunAr
       fmt::print("{}  {:24}  realisation {:3}  {:6} grains  {:10} steps  {:4} frames\n", t.hash, system, t.realisation,
                  t.plan.bodies, t.plan.steps, t.plan.frames.size());
   }
-  const std::vector<std::string> said = advice(study, tasks);
+  std::vector<std::string> said = advice(study, tasks);
+  for (std::string& text : idle_threads(study, a.threads)) said.push_back(std::move(text));
   const double seconds = core_seconds / std::max(1, std::min(jobs, static_cast<int>(order.size())));
   if (a.json)
     fmt::print(
@@ -119,10 +130,7 @@ ExitCode run(const RunArguments& a) {
 
   RunResult result;
   {
-    const Show show = a.quiet               ? Show::nothing
-                      : a.json              ? Show::json
-                      : progress_terminal() ? Show::bar
-                                            : Show::lines;
+    const Show show = a.quiet ? Show::nothing : a.json ? Show::json : progress_terminal() ? Show::bar : Show::lines;
     Monitor monitor(study, tasks, order_tasks(tasks, options.shard), show, a.json ? stdout : stderr);
     result = run_tasks(study, tasks, out, options, monitor);
   }
@@ -168,7 +176,9 @@ void add_run(CLI::App& program, Action& action) {
   sub->add_option("--checkpoint", a->checkpoint, "seconds between checkpoints of a simulation")
       ->check(CLI::Range(0.0, 1e6));
   sub->add_flag("--dry-run", a->dry_run, "list the simulations and what they cost; run nothing");
-  sub->add_flag("--json", a->json, "progress and summary as lines of JSON on standard output (without it: a bar on a terminal, else plain lines)");
+  sub->add_flag(
+      "--json", a->json,
+      "progress and summary as lines of JSON on standard output (without it: a bar on a terminal, else plain lines)");
   sub->add_flag("--quiet,-q", a->quiet, "say nothing but errors");
   sub->add_flag("--strict", a->strict, "end with exit code 4 when a relaxation did not converge or a frame is marked");
   sub->callback([a, &action] { action = [a] { return run(*a); }; });

@@ -71,7 +71,7 @@ void print_summary(const Study& study, const std::vector<std::vector<Transition>
   std::size_t width = 6;
   for (const System& s : study.systems) width = std::max(width, s.name.size());
   if (std::all_of(study.systems.begin(), study.systems.end(),
-                  [](const System& s) { return is_container(s.options.domain.walls); }))
+                  [](const System& s) { return !plans_packing_fraction(s.options); }))
     return print_pressed(study, transitions, width);
   if (std::any_of(transitions.begin(), transitions.end(), [](const auto& of) { return find(of, "rho_j"); }))
     return print_relaxed(study, transitions, width);

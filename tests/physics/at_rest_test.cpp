@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "compression.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/dem/diverged.hpp"
 #include "jamscape/protocol/simulate.hpp"
@@ -43,7 +44,7 @@ SystemOptions at_rest(const Scene& scene) {
   s.contact.damping = DampingRule::clipped;
   s.start.speed = 0;
   s.start.packing_fraction = flat ? 0.6 : 0.4;
-  s.stages = {{"squeeze", StageKind::compress, flat ? 0.8 : 0.58, 1e-3, 12, {}}};
+  s.stages = {compression("squeeze", flat ? 0.8 : 0.58, 1e-3, 12)};
   return s;
 }
 

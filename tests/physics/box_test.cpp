@@ -1,6 +1,7 @@
 // Packing fractions, start lattices and timetables.
 #include <gtest/gtest.h>
 
+#include "compression.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/protocol/plan.hpp"
 #include "jamscape/protocol/start.hpp"
@@ -55,8 +56,7 @@ TEST(Start, no_grain_touches_anything_and_the_mean_mass_is_one) {
 TEST(Timetable, frames_lie_on_the_packing_fractions_asked_for) {
   SystemOptions s;
   s.grains.count = 100;
-  s.stages = {{"approach", StageKind::compress, 0.6, 1e-2, 0, {}},
-              {"compress", StageKind::compress, 0.7, 1e-2, 5, {0.62, 0.65}}};
+  s.stages = {compression("approach", 0.6, 1e-2, 0), compression("compress", 0.7, 1e-2, 5, {0.62, 0.65})};
   const Timetable t = timetable(s, {1, "plan", 0});
   ASSERT_EQ(t.plan.frames.size(), 6u);  // .65 is asked for twice
   EXPECT_NEAR(t.plan.frames[0].packing_fraction, 0.6, 1e-12);
@@ -77,9 +77,9 @@ TEST(Timetable, frames_lie_on_the_packing_fractions_asked_for) {
 TEST(Timetable, refuses_what_cannot_be) {
   SystemOptions s;
   EXPECT_THROW(timetable(s, {}), Error);  // no stage
-  s.stages = {{"down", StageKind::compress, 0.3, 1e-3, 0, {}}};
+  s.stages = {compression("down", 0.3, 1e-3, 0)};
   EXPECT_THROW(timetable(s, {}), Error);
-  s.stages = {{"up", StageKind::compress, 0.8, 1e-3, 0, {0.85}}};
+  s.stages = {compression("up", 0.8, 1e-3, 0, {0.85})};
   EXPECT_THROW(timetable(s, {}), Error);
   s.domain.dimension = 3;
   EXPECT_THROW(start<3>(s, {}), Error);

@@ -1,6 +1,7 @@
 // Momentum to round-off, energy to the integrator's order, the record against itself.
 #include <gtest/gtest.h>
 
+#include "compression.hpp"
 #include "jamscape/base/random.hpp"
 #include "jamscape/protocol/simulate.hpp"
 #include "jamscape/protocol/start.hpp"
@@ -80,7 +81,7 @@ double ledger_drift(Scheme scheme, double dt, double mu, NormalLaw law = NormalL
   s.integrator.scheme = scheme;
   s.integrator.step = dt;
   s.start.packing_fraction = dimension == 2 ? 0.6 : 0.4;
-  s.stages = {{"squeeze", StageKind::compress, dimension == 2 ? 0.86 : 0.64, 5e-3, 20, {}}};
+  s.stages = {compression("squeeze", dimension == 2 ? 0.86 : 0.64, 5e-3, 20)};
   std::vector<EnergyLedger> ledgers;
   Hooks hooks;
   hooks.frame = [&](std::size_t, const Packing& p) { ledgers.push_back(p.energy); };
@@ -119,7 +120,7 @@ TEST(Energy, a_step_too_long_for_the_damping_is_stopped_by_the_ledger) {
   s.contact.stiffness = 485.65;
   s.contact.impact_speed = 3.66e-4;
   s.contact.damping = DampingRule::clipped;
-  s.stages = {{"squeeze", StageKind::compress, 0.88, 5e-3, 20, {}}};
+  s.stages = {compression("squeeze", 0.88, 5e-3, 20)};
   try {
     simulate(s, {1, "stiff", 0}, {});
     FAIL() << "nothing was noticed";
@@ -146,7 +147,7 @@ TEST(Walls, closing_beads_shrink_with_the_box_and_the_ledger_still_closes) {
   s.grains.count = 100;
   s.domain.bead_rows = BeadRows::closing;
   s.integrator.step = 0.005;
-  s.stages = {{"squeeze", StageKind::compress, 0.86, 5e-3, 10, {}}};
+  s.stages = {compression("squeeze", 0.86, 5e-3, 10)};
   std::vector<EnergyLedger> ledgers;
   std::vector<double> spacing;
   Hooks hooks;
@@ -169,7 +170,7 @@ TEST(Record, forces_on_walls_and_grains_balance) {
   s.grains.count = 100;
   for (const WallModel walls : {WallModel::beads, WallModel::flat}) {
     s.domain.walls = walls;
-    s.stages = {{"squeeze", StageKind::compress, 0.84, 5e-3, 2, {}}};
+    s.stages = {compression("squeeze", 0.84, 5e-3, 2)};
     Hooks hooks;
     hooks.frame = [&](std::size_t, const Packing& p) {
       Vec3 on_walls{}, from_contacts{};

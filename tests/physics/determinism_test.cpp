@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "bits_of.hpp"
+#include "compression.hpp"
 #include "jamscape/base/flush_to_zero.hpp"
 #include "jamscape/base/random.hpp"
 #include "jamscape/protocol/plan.hpp"
@@ -23,7 +24,7 @@ SystemOptions scene(int dimension, WallModel walls, double mu, Scheme scheme) {
   s.contact.friction = mu;
   s.integrator.scheme = scheme;
   s.start.packing_fraction = dimension == 2 ? 0.7 : 0.5;
-  s.stages = {{"squeeze", StageKind::compress, dimension == 2 ? 0.85 : 0.62, 1e-2, 6, {}}};
+  s.stages = {compression("squeeze", dimension == 2 ? 0.85 : 0.62, 1e-2, 6)};
   return s;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compression.hpp"
 #include "jamscape/protocol/simulate.hpp"
 #include "two_bodies.hpp"
 
@@ -46,7 +47,7 @@ SystemOptions discs(double dt, double friction) {
   s.grains.count = 100;
   s.contact.friction = friction;
   s.integrator.step = dt;
-  s.stages = {{"squeeze", StageKind::compress, 0.9, 1e-3, 301, {}}};
+  s.stages = {compression("squeeze", 0.9, 1e-3, 301)};
   return s;
 }
 
@@ -76,7 +77,7 @@ TEST(ShrinkingBox, compression_from_rest_makes_no_energy) {
       if (hertzian(law)) s.contact.stiffness = 300, s.contact.impact_speed = 0.1;
       if (dimension == 3) s.grains.count = 216, s.start.packing_fraction = 0.4;
       s.start.speed = 0;
-      s.stages = {{"squeeze", StageKind::compress, dimension == 2 ? 0.86 : 0.66, 1e-2, 21, {}}};
+      s.stages = {compression("squeeze", dimension == 2 ? 0.86 : 0.66, 1e-2, 21)};
       const Squeezed run = squeeze(s, "rest");
       EXPECT_LT(run.drift, 0.02 * run.frames.back().energy.wall_work) << dimension << " " << static_cast<int>(law);
     }
@@ -88,7 +89,7 @@ TEST(ShrinkingBox, a_square_lattice_has_its_forces) {
   s.grains.count = 16;
   s.grains.sizes = SizeLaw::monodisperse;
   s.start.speed = 0;
-  s.stages = {{"compress", StageKind::compress, 0.9, 1e-4, 4, {}}};
+  s.stages = {compression("compress", 0.9, 1e-4, 4)};
   const Squeezed run = squeeze(s, "lattice");
   const Packing& end = run.frames.back();
   const double a = std::sqrt(std::numbers::pi / 4 / 0.9), k = std::numbers::pi * std::numbers::pi / 2;

@@ -6,6 +6,7 @@
 #include "bits_of.hpp"
 #include "jamscape/base/flush_to_zero.hpp"
 #include "jamscape/dem/engine.hpp"
+#include "jamscape/protocol/driver.hpp"
 #include "jamscape/protocol/start.hpp"
 
 namespace jam {
@@ -151,6 +152,25 @@ void resume(const LargeScene& scene) {
 
 TEST(Threads, a_checkpoint_goes_on_with_the_same_bits_on_another_number) {
   for (const LargeScene& scene : scenes) scene.dimension == 2 ? resume<2>(scene) : resume<3>(scene);
+}
+
+TEST(Threads, those_of_use_are_told) {
+  SystemOptions s;
+  s.grains.count = 22000;
+  EXPECT_EQ(threads_of_use(s, 4), 4);
+  EXPECT_EQ(threads_of_use(s, 1000), 6);  // parts of at most 4096 discs
+  EXPECT_EQ(threads_of_use(s, 0), 1);
+  s.grains.count = 100;
+  EXPECT_EQ(threads_of_use(s, 4), 1);
+  s.stages.resize(1);
+  EXPECT_EQ(make_driver(s, {})->set_threads(4), 1);
+  s.grains.shape = BodyShape::cross;
+  s.domain.walls = WallModel::box;
+  s.domain.gravity = 1;
+  s.grains.count = 30000;
+  EXPECT_EQ(threads_of_use(s, 4), 1);
+  s.grains.count = 10;
+  EXPECT_EQ(make_driver(s, {})->set_threads(4), 1);
 }
 
 }  // namespace

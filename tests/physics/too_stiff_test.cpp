@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "compression.hpp"
 #include "jamscape/dem/diverged.hpp"
 #include "jamscape/protocol/simulate.hpp"
 
@@ -18,7 +19,7 @@ SystemOptions squeezed(int dimension, WallModel walls, double stiffness) {
   s.domain.area = AreaConvention::actual;
   s.contact.stiffness = stiffness;
   s.start.packing_fraction = dimension == 2 ? 0.6 : 0.4;
-  s.stages = {{"squeeze", StageKind::compress, dimension == 2 ? 0.86 : 0.66, 1e-3, 3, {}}};
+  s.stages = {compression("squeeze", dimension == 2 ? 0.86 : 0.66, 1e-3, 3)};
   return s;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compression.hpp"
 #include "jamscape/base/error.hpp"
 #include "jamscape/protocol/simulate.hpp"
 #include "jamscape/protocol/start.hpp"
@@ -86,7 +87,7 @@ TEST(Twirl, is_for_spheres_and_keeps_the_ledger) {
   s.grains.count = 125;
   s.start.packing_fraction = 0.4;
   s.integrator.step = 0.005;
-  s.stages = {{"squeeze", StageKind::compress, 0.64, 5e-3, 5, {}}};
+  s.stages = {compression("squeeze", 0.64, 5e-3, 5)};
   std::vector<EnergyLedger> ledgers;
   Hooks hooks;
   hooks.frame = [&](std::size_t, const Packing& p) { ledgers.push_back(p.energy); };
@@ -107,7 +108,7 @@ TEST(Springless, the_ledger_of_a_sliding_contact_closes) {
       if (law == NormalLaw::ratio) s.contact.damping_ratio = 0.2;  // of the springs: none is left tangentially
       s.integrator.step = 0.002;
       s.start.packing_fraction = dimension == 2 ? 0.6 : 0.4;
-      s.stages = {{"squeeze", StageKind::compress, dimension == 2 ? 0.86 : 0.64, 5e-3, 5, {}}};
+      s.stages = {compression("squeeze", dimension == 2 ? 0.86 : 0.64, 5e-3, 5)};
       std::vector<EnergyLedger> ledgers;
       Hooks hooks;
       hooks.frame = [&](std::size_t, const Packing& p) { ledgers.push_back(p.energy); };

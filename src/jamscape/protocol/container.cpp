@@ -36,6 +36,11 @@ std::vector<Arm> read_arms(const std::vector<double>& numbers) {
 
 }  // namespace
 
+void refuse_balls() {
+  throw usage_error("domain.walls: a container holds clusters, and grains.shape = \"ball\" is none", {},
+                    "grains.shape = \"sphere\", \"cross\" or \"star\", or domain.walls = \"flat\"");
+}
+
 double Container::base() const {
   if (dimension == 2) return width;
   return walls == WallModel::cylinder ? std::numbers::pi / 4 * width * width : width * thickness;
@@ -44,8 +49,7 @@ double Container::base() const {
 ClusterShape grain_shape(const SystemOptions& system) {
   switch (system.grains.shape) {
     case BodyShape::ball:
-      throw usage_error("domain.walls: a container holds clusters, and grains.shape = \"ball\" is none", {},
-                        "grains.shape = \"sphere\", \"cross\" or \"star\", or domain.walls = \"flat\"");
+      refuse_balls();
     case BodyShape::sphere:
       return sphere_shape();
     case BodyShape::rod:

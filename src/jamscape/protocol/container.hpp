@@ -19,6 +19,9 @@ struct Container {
   double packing_fraction(double height) const { return bodies / (base() * height); }
 };
 
+/// Discs and spheres are for boxes that close in: throws the usage error.
+[[noreturn]] void refuse_balls();
+
 /// The shape of the grains. Throws a usage error naming the option for a shape there is not.
 ClusterShape grain_shape(const SystemOptions& system);
 

@@ -27,4 +27,10 @@ LedgerStart ledger_start(const SystemOptions& system, const TaskKey& key);
 /// `turned_over` is that of EnergyLedger. 0 where nothing is off, infinite where a sum is no number.
 double ledger_error(double ledger_sum, double turned_over, const LedgerStart& start);
 
+/// Throws Diverged where the error is above `largest`, so that the integrator makes energy: long before grains fly
+/// apart, and where they never do because friction caps the forces that a dashpot too stiff for the time step feeds
+/// back.
+void check_ledger(const Packing& packing, const LedgerStart& start, double largest,
+                  const IntegratorOptions& integrator);
+
 }  // namespace jam

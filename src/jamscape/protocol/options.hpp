@@ -82,7 +82,9 @@ struct GrainOptions {
 /// beads, flat and periodic boxes shrink on all sides; box and cylinder are containers with a floor, fixed sides and a
 /// lid.
 enum class WallModel { beads, flat, periodic, box, cylinder };
-constexpr bool is_container(WallModel walls) { return walls == WallModel::box || walls == WallModel::cylinder; }
+/// A floor, fixed sides, and a lid that comes down; otherwise the box closes in on the grains from all sides.
+constexpr bool has_lid(WallModel walls) { return walls == WallModel::box || walls == WallModel::cylinder; }
+constexpr bool closes_from_all_sides(WallModel walls) { return !has_lid(walls); }
 template <>
 struct EnumNames<WallModel> {
   static constexpr std::pair<WallModel, std::string_view> values[] = {{WallModel::beads, "beads"},
@@ -252,6 +254,17 @@ struct SystemOptions {
   }
 };
 
+/// What moves the grains: the shape of the grains decides, not the walls around them.
+enum class EngineKind { discs, spheres, clusters };
+inline EngineKind engine_of(const SystemOptions& system) {
+  if (system.grains.shape != BodyShape::ball) return EngineKind::clusters;
+  return system.domain.dimension == 2 ? EngineKind::discs : EngineKind::spheres;
+}
+
+/// Frames are asked for at packing fractions. Otherwise they are taken where stages end, and the packing fraction is
+/// what comes out.
+inline bool plans_packing_fraction(const SystemOptions& system) { return closes_from_all_sides(system.domain.walls); }
+
 /// I/(m R^2) of the balls of this system.
 inline double inertia_factor(const SystemOptions& system) {
   if (system.grains.inertia_factor > 0) return system.grains.inertia_factor;
@@ -262,10 +275,7 @@ inline double inertia_factor(const SystemOptions& system) {
 inline std::string stage_name(const SystemOptions& system, std::size_t index) {
   const StageOptions& stage = system.stages[index];
   if (!stage.name.empty()) return stage.name;
-  std::string kind = "stage";
-  for (const auto& [value, name] : EnumNames<StageKind>::values)
-    if (value == stage.kind) kind = name;
-  return kind + "-" + std::to_string(index + 1);
+  return std::string(stage_info(stage.kind).name) + "-" + std::to_string(index + 1);
 }
 
 }  // namespace jam

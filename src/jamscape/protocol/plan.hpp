@@ -35,6 +35,9 @@ struct Timetable {
   std::vector<FramePlace> places;
 };
 
+/// Steps until what moves by `rate` a step has gone `travel`; rounding never adds a step.
+std::int64_t steps_for(double travel, double rate);
+
 /// Throws a usage error for a protocol that cannot be (see plan()).
 Timetable timetable(const SystemOptions& system, const TaskKey& key);
 

@@ -1,38 +1,24 @@
 #include "jamscape/protocol/simulate.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <utility>
+#include <memory>
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/flush_to_zero.hpp"
-#include "jamscape/dem/parts.hpp"
-#include "jamscape/packing/wall_roles.hpp"
+#include "jamscape/protocol/driver.hpp"
 #include "jamscape/protocol/ledger.hpp"
 #include "jamscape/protocol/plan.hpp"
 #include "jamscape/protocol/relaxation.hpp"
-#include "jamscape/protocol/scene.hpp"
-#include "jamscape/protocol/unbalanced.hpp"
 
 namespace jam {
 namespace {
 
-/// From floor to lid: along gravity where planes hold the grains, else the last axis.
-int axis_of_height(const SystemOptions& system) {
-  const bool falls =
-      is_container(system.domain.walls) || (system.domain.walls == WallModel::flat && system.domain.gravity != 0);
-  return falls ? 1 : static_cast<int>(system.domain.dimension) - 1;
-}
-
-template <class Scene>
 class Run {
  public:
   Run(const SystemOptions& system, const TaskKey& key, const Hooks& hooks)
-      : system_(system), key_(key), hooks_(hooks), table_(timetable(system, key)), scene_(system, key) {
-    if constexpr (requires { engine_.set_threads(1); }) engine_.set_threads(hooks.threads);
+      : system_(system), key_(key), hooks_(hooks), table_(timetable(system, key)) {
+    driver_->set_threads(hooks.threads);
   }
 
   Outcome go(const Archive* from) {
@@ -43,20 +29,20 @@ class Run {
         hooks_.look_every > 0
             ? hooks_.look_every
             : std::max<std::int64_t>(
-                  1, static_cast<std::int64_t>(Scene::work_per_glance / static_cast<double>(system_.grains.count)));
+                  1, static_cast<std::int64_t>(driver_->work_per_glance() / static_cast<double>(system_.grains.count)));
     Clock::time_point due = Clock::now() + between_looks;
-    for (std::int64_t next_look = engine_.step() + look;;) {
+    for (std::int64_t next_look = driver_->step() + look;;) {
       take_frames_and_turn();
       if (leg_ == table_.legs.size()) return Outcome::finished;
-      engine_.run(std::min(next_look, next_event()) - engine_.step());
-      if (engine_.step() < next_look) continue;
-      next_look = engine_.step() + look;
+      driver_->run_to(std::min(next_look, next_event()));
+      if (driver_->step() < next_look) continue;
+      next_look = driver_->step() + look;
       if (hooks_.look_every == 0) {  // steps may take a thousand times as long as they did
         if (Clock::now() < due) continue;
         due = Clock::now() + between_looks;
       }
       if (hooks_.progress)
-        hooks_.progress({engine_.step(), std::max(expected_steps(), engine_.step() + 1), scene_.packing_fraction(),
+        hooks_.progress({driver_->step(), std::max(expected_steps(), driver_->step() + 1), driver_->packing_fraction(),
                          table_.legs[leg_].stage});
       const bool stop = hooks_.stop && hooks_.stop();
       if (hooks_.checkpoint && (stop || (hooks_.checkpoint_due && hooks_.checkpoint_due()))) hooks_.checkpoint(save());
@@ -66,8 +52,8 @@ class Run {
 
  private:
   void begin_leg(std::size_t leg) {
-    enter_leg(leg, engine_.step());
-    if (leg < table_.legs.size()) scene_.begin(table_.legs[leg]);
+    enter_leg(leg, driver_->step());
+    if (leg < table_.legs.size()) driver_->begin(table_.legs[leg]);
   }
 
   void enter_leg(std::size_t leg, std::int64_t begin) {
@@ -103,35 +89,35 @@ class Run {
       case LegKind::move:
         break;
     }
-    return engine_.step() >= leg_begin_ + table_.legs[leg_].steps;
+    return driver_->step() >= leg_begin_ + table_.legs[leg_].steps;
   }
 
   bool frame_due() const {
     if (next_frame_ == table_.places.size()) return false;
     const auto& place = table_.places[next_frame_];
     if (place.leg != leg_) return place.leg < leg_;
-    return table_.legs[leg_].kind != LegKind::move ? leg_over() : engine_.step() >= leg_begin_ + place.offset;
+    return table_.legs[leg_].kind != LegKind::move ? leg_over() : driver_->step() >= leg_begin_ + place.offset;
   }
 
   /// Looks whether a leg of unknown length is over.
   void watch() {
     if (leg_ == table_.legs.size() || leg_over()) return;
     const Leg& leg = table_.legs[leg_];
-    if (leg.kind == LegKind::press) pressed_ = scene_.reached(leg);
-    if (leg.kind != LegKind::relax || engine_.step() < leg_begin_ + relaxation_.next_sample()) return;
+    if (leg.kind == LegKind::press) pressed_ = driver_->reached(leg);
+    if (leg.kind != LegKind::relax || driver_->step() < leg_begin_ + relaxation_.next_sample()) return;
     double elastic = 0;
     if (relaxation_.wants_elastic()) {
-      const ElasticEnergy e = engine_.elastic_energy();
+      const ElasticEnergy e = driver_->elastic_energy();
       elastic = e.normal + e.tangential;
     }
-    relaxation_.add_sample(engine_.kinetic_energy(), elastic);
-    if (relaxation_.wants_forces()) relaxation_.judge_forces(unbalanced_part(engine_.record(), system_.domain.gravity));
+    relaxation_.add_sample(driver_->kinetic_energy(), elastic);
+    if (relaxation_.wants_forces()) relaxation_.judge_forces(driver_->unbalanced());
   }
 
   /// The next step at which something happens.
   std::int64_t next_event() const {
     const Leg& leg = table_.legs[leg_];
-    if (leg.kind == LegKind::press) return engine_.step() + 1;  // watched after every step
+    if (leg.kind == LegKind::press) return driver_->step() + 1;  // watched after every step
     if (leg.kind == LegKind::relax) return leg_begin_ + relaxation_.next_sample();
     std::int64_t next = leg_begin_ + leg.steps;
     if (next_frame_ < table_.places.size() && table_.places[next_frame_].leg == leg_)
@@ -141,32 +127,15 @@ class Run {
 
   /// Of the whole protocol, as far as it can be known now.
   std::int64_t expected_steps() const {
-    std::int64_t steps = engine_.step();
+    std::int64_t steps = driver_->step();
     if (leg_ < table_.legs.size()) steps = std::max(steps, leg_begin_ + table_.legs[leg_].steps);
     for (std::size_t l = leg_ + 1; l < table_.legs.size(); ++l) steps += table_.legs[l].steps;
     return steps;
   }
 
-  /// Throws Diverged where the integrator makes energy: long before grains fly apart, and where they never do because
-  /// friction caps the forces that a dashpot too stiff for the time step feeds back.
-  void check_ledger(const EnergyLedger& e) const {
-    const double error = ledger_error(e.sum(), e.turned_over(), ledger_start_);
-    if (!(error > hooks_.largest_ledger_error)) return;
-    throw Diverged(fmt::format(
-        "step {}: the energy ledger is off by {:.3g} where {:.3g} was turned over, so the integrator makes or loses "
-        "energy: integrator.step = {} is too long for the stiffness, the damping or the friction at this compression; "
-        "half of it may do{}, and study.ledger = \"open\" goes on with every such frame marked",
-        engine_.step(), std::abs(e.sum() - ledger_start_.energy), ledger_start_.scale + e.turned_over(),
-        system_.integrator.step,
-        system_.integrator.scheme == Scheme::verlet ? "" : ", or integrator.scheme = \"verlet\""));
-  }
-
   void deliver_frame() {
-    Packing packing = engine_.record();
-    check_ledger(packing.energy);
-    packing.packing_fraction = scene_.packing_fraction();
-    packing.packing_fraction_plain = scene_.packing_fraction_plain();
-    give_roles(packing, axis_of_height(system_));
+    Packing packing = driver_->record();
+    check_ledger(packing, ledger_start_, hooks_.largest_ledger_error, system_.integrator);
     packing.stage = table_.plan.frames[next_frame_].stage;
     if (table_.plan.frames[next_frame_].relaxed) packing.relaxation = relaxation_.ended();
     if (hooks_.frame) hooks_.frame(next_frame_, packing);
@@ -175,7 +144,7 @@ class Run {
 
   Archive save() const {
     Archive archive;
-    engine_.save(archive);
+    driver_->save(archive);
     archive["protocol/system"] = key_.system;
     archive["protocol/counters"] = std::vector<std::int64_t>{physics_revision(system_),
                                                              static_cast<std::int64_t>(key_.seed),
@@ -196,7 +165,7 @@ class Run {
         (*n)[4] < 0 || static_cast<std::size_t>((*n)[4]) >= table_.legs.size())
       throw data_error("the checkpoint belongs to another task or another version of the physics", {},
                        "delete it; the task then starts from its beginning");
-    engine_.load(archive);
+    driver_->load(archive);
     next_frame_ = static_cast<std::size_t>((*n)[3]);
     enter_leg(static_cast<std::size_t>((*n)[4]), (*n)[5]);
     if (table_.legs[leg_].kind == LegKind::relax) relaxation_.load(*r);
@@ -206,9 +175,8 @@ class Run {
   const TaskKey& key_;
   const Hooks& hooks_;
   Timetable table_;
-  Scene scene_;
-  decltype(std::declval<Scene&>().engine()) engine_ = scene_.engine();
-  LedgerStart ledger_start_ = ledger_start(system_, engine_.kinetic_energy());
+  std::unique_ptr<Driver> driver_ = make_driver(system_, key_);
+  LedgerStart ledger_start_ = ledger_start(system_, driver_->kinetic_energy());
   std::size_t next_frame_ = 0, leg_ = 0;
   std::int64_t leg_begin_ = 0;
   Relaxation relaxation_;
@@ -217,32 +185,9 @@ class Run {
 
 }  // namespace
 
-/// Walls that are faster than the grains at their start.
-static bool outrun_grains(const SystemOptions& system) {
-  return std::any_of(system.stages.begin(), system.stages.end(), [&](const StageOptions& stage) {
-    return stage.kind != StageKind::relax && stage.speed > system.start.speed;
-  });
-}
-
-int physics_revision(const SystemOptions& system) {
-  const ContactOptions& contact = system.contact;
-  if (contact.tangential_stiffness == 0 && !hertzian(contact.law) &&
-      (contact.friction > 0 || contact.wall_friction > 0))
-    return 9;
-  if (is_container(system.domain.walls)) return 3;
-  if (system.domain.walls == WallModel::periodic) return 8;
-  if (system.domain.walls == WallModel::flat && outrun_grains(system)) return 10;
-  if (!system.stages.empty() && system.stages.front().kind != StageKind::compress) return 7;
-  if (system.domain.dimension == 3) return 5;
-  if (system.grains.count >= static_cast<std::int64_t>(Parts::least_grains)) return 4;
-  return hertzian(system.contact.law) ? 2 : 1;
-}
-
 Outcome simulate(const SystemOptions& system, const TaskKey& key, const Hooks& hooks, const Archive* from) {
   const FlushToZero guard;
-  if (is_container(system.domain.walls)) return Run<ContainerScene>(system, key, hooks).go(from);
-  return system.domain.dimension == 2 ? Run<BoxScene<2>>(system, key, hooks).go(from)
-                                      : Run<BoxScene<3>>(system, key, hooks).go(from);
+  return Run(system, key, hooks).go(from);
 }
 
 }  // namespace jam

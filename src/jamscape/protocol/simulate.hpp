@@ -10,6 +10,7 @@
 #include "jamscape/dem/diverged.hpp"
 #include "jamscape/packing/packing.hpp"
 #include "jamscape/protocol/options.hpp"
+#include "jamscape/protocol/state_axis.hpp"
 
 namespace jam {
 
@@ -53,6 +54,7 @@ struct Plan {
   double start = 0;         ///< packing fraction of the start, below start.packing_fraction where its lattice is wider;
                             ///< 0 in a container
   std::vector<PlannedFrame> frames;
+  const StateAxis* axis = &planned_packing_fraction;  ///< what the frames go by
 };
 
 /// What the protocol will do; throws a usage error (with the option's key in its text) for a system that cannot be:

@@ -7,6 +7,7 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/random.hpp"
 #include "jamscape/contact/damping.hpp"
+#include "jamscape/protocol/container.hpp"
 
 namespace jam {
 namespace {
@@ -118,8 +119,7 @@ StartBox start_box(const SystemOptions& system, const std::vector<double>& diame
 }
 
 void check_start(const SystemOptions& system) {
-  if (system.contact.spring_turn == SpringTurn::twirled &&
-      (system.domain.dimension == 2 || is_container(system.domain.walls)))
+  if (system.contact.spring_turn == SpringTurn::twirled && engine_of(system) != EngineKind::spheres)
     throw usage_error("contact.spring_turn: only springs of spheres in three dimensions can be twirled", {},
                       system.domain.dimension == 2 ? "leave it out: in two dimensions springs turn with the contact"
                                                    : "leave it out: springs of clusters are projected");
@@ -127,7 +127,10 @@ void check_start(const SystemOptions& system) {
     grain_law(system.contact, 1.0);
     wall_law(system.contact, 1.0);
   }
-  if (is_container(system.domain.walls)) return;
+  if (has_lid(system.domain.walls)) {
+    if (engine_of(system) == EngineKind::clusters) return;
+    refuse_balls();
+  }
   if (system.domain.dimension == 3 && system.domain.walls == WallModel::beads)
     throw usage_error("domain.walls: bead walls are for two dimensions", {}, "domain.walls = \"flat\" or \"periodic\"");
   if (system.domain.walls == WallModel::periodic && system.domain.gravity != 0)

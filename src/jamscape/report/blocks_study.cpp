@@ -32,7 +32,7 @@ Json options_json(SystemOptions system) {
   if (system.grains.sizes == SizeLaw::monodisperse) out["grains.width"] = 0;
   if (system.grains.sizes == SizeLaw::bidisperse) out.erase("grains.width");
   for (const StageOptions& stage : system.stages)
-    if (stage.kind != StageKind::relax && stage.kind != StageKind::settle) out["speed"] = rounded(stage.speed, 8);
+    if (stage.traits().moves) out["speed"] = rounded(stage.speed, 8);
   return out;
 }
 
@@ -117,7 +117,7 @@ Json transitions_block(const Results& results) {
   for (std::size_t k = 0; k < table->rows(); ++k) {
     const int index = results.system(system[k]);
     if (index < 0 || !std::isfinite(value[k])) continue;
-    if (is_container(results.study.systems[static_cast<std::size_t>(index)].options.domain.walls)) continue;
+    if (!plans_packing_fraction(results.study.systems[static_cast<std::size_t>(index)].options)) continue;
     rows.push_back({{"system", index},
                     {"quantity", quantity[k]},
                     {"n", static_cast<std::int64_t>(n[k])},

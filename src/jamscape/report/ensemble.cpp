@@ -9,7 +9,7 @@ namespace jam {
 std::vector<SystemRows> ensemble_rows(const Results& results, const Table& table, const std::string& abscissa) {
   std::vector<SystemRows> systems(results.study.systems.size());
   for (std::size_t s = 0; s < systems.size(); ++s)
-    systems[s].container = is_container(results.study.systems[s].options.domain.walls);
+    systems[s].container = !plans_packing_fraction(results.study.systems[s].options);
   const std::vector<std::string> name = text_column(table, "system");
   const std::vector<std::string> quantity = text_column(table, "quantity");
   const std::vector<double> frame = table.numbers("frame");

@@ -33,7 +33,7 @@ std::vector<PictureFrame> all_frames(const Results& results, const Task& task, c
   if (is_left_out(results.left_out, task.hash) || !has_all_frames(folder, task.plan)) return frames;
   const RunFile run(folder.run_file(), Look::structure);
   const auto stored = stored_frames(run, task.plan);
-  if (is_container(results.study.systems[task.system].options.domain.walls)) {
+  if (!plans_packing_fraction(results.study.systems[task.system].options)) {
     for (std::size_t k = 0; k < task.plan.frames.size(); ++k) {
       const std::size_t at = stored.value()[k];
       frames.push_back({run.packing_fractions()[at], at, false, task.plan.frames[k].stage});
@@ -102,10 +102,10 @@ std::vector<PictureSource> choose_pictures(const Results& results) {
     const TaskFolder folder = folder_with_rows(results.places, task.hash, {&find_measure("diagram")});
     PictureSource source{task, folder, {}, all_frames(results, task, folder)};
     const SystemOptions& options = results.study.systems[task.system].options;
-    source.frames = is_container(options.domain.walls)
-                        ? container_frames(source.all, options.grains.count)
-                        : chosen_frames(source.all, results.study.report.pictures, most_pictures(options.grains.count),
-                                        jamming[task.system]);
+    source.frames = plans_packing_fraction(options)
+                        ? chosen_frames(source.all, results.study.report.pictures, most_pictures(options.grains.count),
+                                        jamming[task.system])
+                        : container_frames(source.all, options.grains.count);
     if (!new_system) source.damaged = std::move(sources.back().damaged);
     if (std::string reason = unreadable(source); !reason.empty()) {
       source.frames.clear(), source.all.clear();

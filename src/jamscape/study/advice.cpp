@@ -28,7 +28,7 @@ void tell_start(const System& system, const std::vector<const Task*>& runs, std:
 /// The duration of the shortest collision: of two of the smallest grains, or of one and a wall.
 void tell_step(const System& system, const std::vector<const Task*>& runs, std::vector<std::string>& said) {
   const SystemOptions& o = system.options;
-  if (is_container(o.domain.walls)) return;
+  if (engine_of(o) == EngineKind::clusters) return;
   const int D = static_cast<int>(o.domain.dimension);
   const double smallest = std::ranges::min(draw_diameters(o.grains, runs.front()->key));
   const double mass = std::pow(smallest, D) / mean_power(o.grains, D);
@@ -47,12 +47,12 @@ void tell_step(const System& system, const std::vector<const Task*>& runs, std::
 
 void tell_area(const System& system, std::vector<std::string>& said) {
   const SystemOptions& o = system.options;
-  if (is_container(o.domain.walls) || o.domain.area == AreaConvention::actual) return;
+  if (!plans_packing_fraction(o) || o.domain.area == AreaConvention::actual) return;
   const double larger = mean_power(o.grains, static_cast<int>(o.domain.dimension));
   if (std::abs(larger - 1) <= 0.05) return;
   double to = 0;
   for (const StageOptions& stage : o.stages)
-    if (stage.kind == StageKind::compress || stage.kind == StageKind::steps) to = std::max(to, stage.to);
+    if (stage.traits().to_packing_fraction) to = std::max(to, stage.to);
   said.push_back(fmt::format(
       "system '{}': with domain.area = \"nominal\" packing fractions count grains of the mean diameter, and these fill "
       "{:.3g} times as much: {} is truly {:.3g}; domain.area = \"actual\" counts what is there",
@@ -61,7 +61,7 @@ void tell_area(const System& system, std::vector<std::string>& said) {
 
 void tell_frames(const System& system, std::vector<std::string>& said) {
   for (const StageOptions& stage : system.options.stages)
-    if (stage.kind != StageKind::compress || stage.frames > 0 || !stage.frames_at.empty()) return;
+    if (!stage.traits().on_user_frames || stage.frames > 0 || !stage.frames_at.empty()) return;
   said.push_back(fmt::format("system '{}': no stage has frames; one is taken at the end (stage.NAME.frames = 61, say)",
                              system.name));
 }

@@ -134,7 +134,7 @@ std::size_t frames_not_relaxed(const std::vector<DoneTask>& done) {
 bool relaxes(const Study& study) {
   for (const System& system : study.systems)
     for (const StageOptions& stage : system.options.stages)
-      if (stage.kind == StageKind::relax || stage.kind == StageKind::steps) return true;
+      if (stage.traits().relaxes) return true;
   return false;
 }
 

@@ -29,9 +29,7 @@ std::string physics_text(const SystemOptions& system) {
   for (std::size_t k = 0; k < system.stages.size(); ++k) {
     StageOptions stage = system.stages[k];
     stage.name.clear();
-    stage.frames = StageOptions{}.frames;
-    stage.frames_at.clear();
-    stage.frames_inside = StageOptions{}.frames_inside;
+    stage.forget_frames();
     text += fmt::format("stage {}\n", k + 1);
     append_differing(std::move(stage), StageOptions{}, "stage.", text);
   }

@@ -172,7 +172,7 @@ std::vector<Transition> find_transitions(const Study& study, std::size_t system,
   std::vector<Transition> found;
   const Jamming at{study.measure.jamming_z, study.measure.jamming_pressure,
                    hertzian(options.contact.law) ? 1.5 : 1.0};
-  if (!is_container(options.domain.walls)) found = find_jamming(series, at, seed, key);
+  if (plans_packing_fraction(options)) found = find_jamming(series, at, seed, key);
   for (Transition& t : pooled_forces(done, measures, series, seed, key)) found.push_back(std::move(t));
   return found;
 }
