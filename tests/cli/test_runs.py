@@ -136,6 +136,14 @@ class Runs(Case):
         self.assertIn("4 runs", out)
         self.assertEqual(set(self.files(".")), {"tiny.toml"})
 
+    def test_dry_run_names_systems_that_use_fewer_threads(self):
+        self.assertNotIn("threads", self.program("run", "tiny.toml", "--dry-run", "--threads", "1").stdout)
+        out = self.program("run", "tiny.toml", "--dry-run", "--threads", "3").stdout
+        self.assertEqual(out.count("of 3 threads each run uses 1"), 2, out)
+        large = self.program("run", "quickstart", "--dry-run", "--threads", "3", "--set", "grains.count=22000",
+                             "--set", "start.packing_fraction=0.5").stdout
+        self.assertNotIn("of 3 threads", large)
+
 
 if __name__ == "__main__":
     unittest.main()
