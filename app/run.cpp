@@ -124,6 +124,8 @@ ExitCode run(const RunArguments& a) {
   check_results(out, study);
   make_folder(out);
   options.threads = a.threads > 0 ? a.threads : spare_threads(tasks, out, options);
+  if (!a.quiet)
+    for (const std::string& text : idle_threads(study, a.threads)) complain("note: {}\n", text);
   const RunnerLock lock(out, options.shard);
   write_results_study(out, study);
   for (const std::string& lack : take_lacks()) complain("note: {}\n", lack);

@@ -140,6 +140,8 @@ class Runs(Case):
         self.assertNotIn("threads", self.program("run", "tiny.toml", "--dry-run", "--threads", "1").stdout)
         out = self.program("run", "tiny.toml", "--dry-run", "--threads", "3").stdout
         self.assertEqual(out.count("of 3 threads each run uses 1"), 2, out)
+        ran = self.program("run", "tiny.toml", "--threads", "3").stderr
+        self.assertEqual(ran.count("of 3 threads each run uses 1"), 2, ran)
         large = self.program("run", "quickstart", "--dry-run", "--threads", "3", "--set", "grains.count=22000",
                              "--set", "start.packing_fraction=0.5").stdout
         self.assertNotIn("of 3 threads", large)

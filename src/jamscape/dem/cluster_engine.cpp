@@ -28,6 +28,11 @@ constexpr double list_cost = 15, thinnest_skin = 0.005, widest_skin = 1.0;
 /// Over the present speed, and over the speed that a fifth of the bodies do not reach: bodies at rest are hit, slow
 /// ones speed up.
 constexpr double speed_margin = 1.2, slow_margin = 3;
+std::string beyond_wall(const ClusterWall& wall, double beyond) {
+  return wall.kind == WallKind::plane ? beyond_plane(beyond, wall.high, wall.axis, wall.position)
+                                      : fmt::format("{:.3g} beyond the cylinder", beyond);
+}
+
 /// Where more than this part of the listed pairs touched at the last step, they are not collected first.
 constexpr double most_touch = 0.45;
 
@@ -203,7 +208,7 @@ void ClusterEngine::touch_walls() {
     const WallTouch t = touch_wall(wall, arm, ends_.end[q]);
     const std::size_t k = bodies_.arm_body[ends_.arm[q]];
     if (t.overlap > 2 * arm[3])
-      fail(k, fmt::format("has an arm outside its box, {:.3g} beyond wall {}", t.overlap - arm[3], ends_.wall[q]));
+      fail(k, "has an arm outside its box, " + beyond_wall(wall, t.overlap - arm[3]));
     const double* row = bodies_.row(k);
     const Vec3 lever = t.point - vec3(row);
     Vec3 v = vec3(row + R::velocity) + cross(vec3(row + R::spin), lever);

@@ -15,6 +15,11 @@ Diverged diverged_at(std::int64_t step, const std::string& body, std::span<const
   return Diverged(fmt::format("step {}: {} at ({}) {}; likely {}", step, body, at, problem, cause));
 }
 
+std::string beyond_plane(double beyond, bool high, int axis, double position) {
+  return fmt::format("{:.3g} beyond the {} wall at {} = {:.6g}", beyond, high ? "upper" : "lower", "xyz"[axis],
+                     position);
+}
+
 std::size_t find_not_finite(const double* rows, std::size_t count, std::size_t stride) {
   for (std::size_t k = 0; k < count; ++k)
     for (std::size_t c = 0; c < stride; ++c)

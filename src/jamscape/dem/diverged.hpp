@@ -19,6 +19,9 @@ class Diverged : public std::runtime_error {
 Diverged diverged_at(std::int64_t step, const std::string& body, std::span<const double> place,
                      const std::string& problem, const std::string& cause);
 
+/// "0.2 beyond the upper wall at y = 3", for a plane across `axis`.
+std::string beyond_plane(double beyond, bool high, int axis, double position);
+
 inline constexpr const char* not_a_number = "has a position or velocity that is not a number";
 /// Index of the first of `count` rows with such a number in it, `count` if there is none.
 std::size_t find_not_finite(const double* rows, std::size_t count, std::size_t stride);

@@ -101,8 +101,7 @@ void Engine<D>::check_inside() const {
     for (std::size_t k = 0; k < bodies_.grains; ++k) {
       const double beyond = (wall.high ? 1.0 : -1.0) * (bodies_.row(k)[wall.axis] - wall.position);
       if (!(beyond > 0)) continue;
-      fail(k, fmt::format("is outside its box, {:.3g} beyond the {} wall at {} = {:.6g}", beyond,
-                          wall.high ? "upper" : "lower", "xyz"[wall.axis], wall.position));
+      fail(k, "is outside its box, " + beyond_plane(beyond, wall.high, wall.axis, wall.position));
     }
 }
 

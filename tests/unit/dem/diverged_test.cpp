@@ -20,6 +20,11 @@ TEST(Diverged, names_step_body_place_and_cause) {
   EXPECT_EQ(what, "step 7: grain 3 at (1.500000, -2.000000) is lost; likely the step is too long");
 }
 
+TEST(Diverged, names_a_wall_by_its_side_and_place) {
+  EXPECT_EQ(beyond_plane(0.25, true, 1, 3), "0.25 beyond the upper wall at y = 3");
+  EXPECT_EQ(beyond_plane(1, false, 2, -0.5), "1 beyond the lower wall at z = -0.5");
+}
+
 TEST(Diverged, finds_the_first_row_that_is_not_finite) {
   std::vector<double> rows(12, 1.0);
   EXPECT_EQ(find_not_finite(rows.data(), 3, 4), 3u);
