@@ -135,7 +135,7 @@ TEST(ClusterRest, an_end_sinks_into_a_plane_by_its_diameter_at_most) {
     faster.run(15708);
     FAIL();
   } catch (const Diverged& d) {
-    EXPECT_NE(std::string(d.what()).find("beyond wall 0"), std::string::npos) << d.what();
+    EXPECT_NE(std::string(d.what()).find("beyond the lower wall at z = 0"), std::string::npos) << d.what();
   }
 }
 
