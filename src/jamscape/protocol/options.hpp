@@ -114,12 +114,13 @@ struct EnumNames<AreaConvention> {
 };
 
 /// Whether a row of beads keeps its spacing while the box shrinks, its ends sticking out beyond the corners, or its
-/// beads close up with the box.
-enum class BeadRows { rigid, closing };
+/// beads close up with the box; `framed` rows also end in the corners, with a bead of each there, so that a corner is
+/// the same at all times and on all sides, and no grain is caught between two rows (theory sec. 1).
+enum class BeadRows { rigid, closing, framed };
 template <>
 struct EnumNames<BeadRows> {
-  static constexpr std::pair<BeadRows, std::string_view> values[] = {{BeadRows::rigid, "rigid"},
-                                                                     {BeadRows::closing, "closing"}};
+  static constexpr std::pair<BeadRows, std::string_view> values[] = {
+      {BeadRows::rigid, "rigid"}, {BeadRows::closing, "closing"}, {BeadRows::framed, "framed"}};
 };
 
 struct DomainOptions {
@@ -155,7 +156,11 @@ struct DomainOptions {
              {.text = "acceleration down the second axis", .unit = "d/tau_c^2", .min = 0, .max = 1e6});
     v.option("bead_phase", bead_phase,
              {.text = "shift of the rows of beads along themselves", .unit = "d", .min = 0, .max = 1});
-    v.option("bead_rows", bead_rows, {.text = "rows of beads keep their spacing, or close up with the box"});
+    v.option(
+        "bead_rows", bead_rows,
+        {.text = "rows of beads keep their spacing, close up with the box, or close up as a frame with a bead in each "
+                 "corner, where no grain is caught between two rows",
+         .source = "theory 1"});
     v.option("box", box, {.text = "where a box of bead walls ends, for the packing fraction", .source = "theory 6a"});
     v.option("area", area,
              {.text = "grain area in the packing fraction: N pi d^2/4, or the true sum", .source = "theory 6a"});

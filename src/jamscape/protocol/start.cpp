@@ -18,8 +18,40 @@ double small_diameter(const GrainOptions& o) { return 1 / (o.small_fraction + (1
 
 double ball(int dimension) { return dimension == 2 ? std::numbers::pi / 4 : std::numbers::pi / 6; }
 
-/// Rows of touching beads along both ends of both axes, long enough to close the corners of the box at its widest.
-std::vector<EngineWall<2>> bead_walls(double length, const DomainOptions& domain) {
+double smallest_diameter(const GrainOptions& o) {
+  switch (o.sizes) {
+    case SizeLaw::monodisperse:
+      return 1;
+    case SizeLaw::uniform:
+      return 1 - o.width / 2;
+    case SizeLaw::bidisperse:
+      return small_diameter(o);
+  }
+  return 1;
+}
+
+/// Places of the beads along a row of a box of side `length`, from 0 in one corner to `length` in the next.
+///
+/// Rows that are no frame stick out beyond the corners of the box at its widest. A frame has a bead in each corner, and
+/// its next beads, at s from the corner along both walls, decide what may be caught there: discs of radius r at the
+/// touching distance R = r + 1/2 from both. They fit between them only for R < s/sqrt(2); for R = .9 s they see them at
+/// an angle of 103 degrees, which friction below .79 lets go of, and at less as s shrinks. So s <= R/.9 at the start.
+std::vector<double> along_row(double length, const SystemOptions& system) {
+  std::vector<double> row;
+  if (system.domain.bead_rows == BeadRows::framed) {
+    const double spacing = std::min(1.0, (bead_radius + smallest_diameter(system.grains) / 2) / 0.9);
+    const auto gaps = static_cast<int>(std::ceil(length / spacing));
+    for (int k = 0; k < gaps; ++k) row.push_back(length * k / gaps);
+    row.push_back(length);
+  } else {
+    for (double at = system.domain.bead_phase - 2; at < length + 2; at += 1) row.push_back(at);
+  }
+  return row;
+}
+
+/// Rows of touching beads along both ends of both axes.
+std::vector<EngineWall<2>> bead_walls(double length, const SystemOptions& system) {
+  const std::vector<double> row = along_row(length, system);
   std::vector<EngineWall<2>> walls;
   for (int axis = 0; axis < 2; ++axis)
     for (const bool high : {false, true}) {
@@ -29,12 +61,12 @@ std::vector<EngineWall<2>> bead_walls(double length, const DomainOptions& domain
       wall.high = high;
       wall.position = high ? length : 0.0;
       wall.bead_radius = bead_radius;
-      for (double at = domain.bead_phase - 2; at < length + 2; at += 1) {
+      for (const double at : row) {
         Vec2 bead;
         bead[axis] = wall.position;
         bead[1 - axis] = at;
         wall.beads.push_back(bead);
-        if (domain.bead_rows == BeadRows::closing) wall.along.push_back(at / length - 0.5);
+        if (system.domain.bead_rows != BeadRows::rigid) wall.along.push_back(at / length - 0.5);
       }
       walls.push_back(wall);
     }
@@ -133,6 +165,10 @@ void check_start(const SystemOptions& system) {
   }
   if (system.domain.dimension == 3 && system.domain.walls == WallModel::beads)
     throw usage_error("domain.walls: bead walls are for two dimensions", {}, "domain.walls = \"flat\" or \"periodic\"");
+  if (system.domain.walls == WallModel::beads && system.domain.bead_rows == BeadRows::framed &&
+      system.domain.bead_phase != 0)
+    throw usage_error("domain.bead_phase: the rows of a frame begin in its corners and cannot be shifted", {},
+                      "domain.bead_phase = 0, or domain.bead_rows = \"closing\"");
   if (system.domain.walls == WallModel::periodic && system.domain.gravity != 0)
     throw usage_error("domain.gravity: in a periodic box grains fall for ever", {},
                       "domain.gravity = 0, or walls: domain.walls = \"flat\", or a container");
@@ -156,8 +192,7 @@ EngineSetup<D> start(const SystemOptions& system, const TaskKey& key) {
   if (system.domain.walls == WallModel::periodic)
     setup.box.length.fill(box.length);
   else if constexpr (D == 2)
-    setup.walls =
-        system.domain.walls == WallModel::beads ? bead_walls(box.length, system.domain) : planes<D>(box.length);
+    setup.walls = system.domain.walls == WallModel::beads ? bead_walls(box.length, system) : planes<D>(box.length);
   else
     setup.walls = planes<D>(box.length);
 
