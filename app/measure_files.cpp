@@ -49,7 +49,8 @@ bool rows_alone(const std::vector<std::string>& names) {
 }
 
 /// The measures of one row a frame side by side, or one measure of several rows.
-Table measure_packing(const Packing& packing, const MeasureOptions& options, const std::vector<std::string>& names) {
+Table measure_packing(const Packing& packing, const MeasureOptions& options, const std::vector<std::string>& names,
+                      std::vector<std::string>& notes) {
   const Snapshot snapshot(packing, options);
   if (rows_alone(names)) return find_measure(names.front()).evaluate(snapshot);
   Table row;
@@ -60,6 +61,10 @@ Table measure_packing(const Packing& packing, const MeasureOptions& options, con
     if (m.rows == Rows::many) {
       if (names.empty()) continue;
       throw usage_error(fmt::format("'{}' gives a table of its own", m.name), "--measure", "ask for it alone");
+    }
+    if (const std::string reason = lacking(m.needs, packing); !reason.empty()) {
+      const std::string note = fmt::format("the columns of '{}' are empty: {}", m.name, reason);
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
     }
     for (Column& c : m.evaluate(snapshot).columns) row.columns.push_back(std::move(c));
   }
@@ -80,7 +85,8 @@ std::string empty_reason(const FileRequest& request, std::size_t contacts) {
 bool is_run(const std::string& file) { return fs::path(file).extension() == ".h5"; }
 
 /// All frames of a run, or the one asked for; counts what it has seen.
-Table measure_run(const std::string& file, const FileRequest& request, std::size_t& frames, std::size_t& contacts) {
+Table measure_run(const std::string& file, const FileRequest& request, std::size_t& frames, std::size_t& contacts,
+                  std::vector<std::string>& notes) {
   Table all;
   const RunFile run(file);
   const double last = static_cast<double>(run.frames()) - 1;
@@ -92,7 +98,7 @@ Table measure_run(const std::string& file, const FileRequest& request, std::size
     const Packing packing = run.frame(f);
     contacts += packing.contacts.size();
     ++frames;
-    Table rows = measure_packing(packing, request.options, request.measures);
+    Table rows = measure_packing(packing, request.options, request.measures, notes);
     if (rows_alone(request.measures)) {  // else rows of different frames could not be told apart
       Table named;
       named.add("frame", std::vector<std::int64_t>(rows.rows(), static_cast<std::int64_t>(f)));
@@ -111,7 +117,7 @@ FileResult measure_runs(const FileRequest& request) {
     if (!is_run(file))
       throw usage_error(fmt::format("'{}' is no run.h5 file, others are", file), "measure", "give files of one kind");
     try {
-      append(result.table, measure_run(file, request, frames, contacts));
+      append(result.table, measure_run(file, request, frames, contacts, result.notes));
     } catch (const Error& error) {  // the others go on, unless there are none
       if (error.code() != ExitCode::data || request.files.size() == 1) throw;
       result.notes.push_back(fmt::format("left out: {}", error.what()));
@@ -134,7 +140,8 @@ FileResult measure_tables(const FileRequest& request) {
                       "measure", "a packing is one table of particles and one of contacts (id1, id2, fn)");
   ImportedPacking imported = first ? read_packing(std::move(a), std::move(b), request.frame)
                                    : read_packing(std::move(b), std::move(a), request.frame);
-  FileResult result{measure_packing(imported.packing, request.options, request.measures), std::move(imported.notes)};
+  FileResult result{{}, std::move(imported.notes)};
+  result.table = measure_packing(imported.packing, request.options, request.measures, result.notes);
   if (result.table.rows() == 0) result.notes.push_back(empty_reason(request, imported.packing.contacts.size()));
   return result;
 }

@@ -16,9 +16,9 @@ def read_csv(path):
     return [(key.strip(), value.strip()) for key, value in notes], columns
 
 
-def vectors(columns, names, count):
-    """Columns side by side; zeros where a column is not there."""
-    return np.array([[float(v) for v in columns.get(n, ["0"] * count)] for n in names]).reshape(len(names), count).T
+def vectors(columns, names, count, missing="0"):
+    """Columns side by side; zeros where a column is not there, or what is given for it."""
+    return np.array([[float(v) for v in columns.get(n, [missing] * count)] for n in names]).reshape(len(names), count).T
 
 
 @dataclass
@@ -140,7 +140,7 @@ def read(particles, contacts):
     spins = ["spin"] if dimension == 2 else ["spin_x", "spin_y", "spin_z"]
     return Packing(
         dimension, x, radius, mass, volume, area, inertia,
-        vectors(grains, ["v" + a for a in axes], count), vectors(grains, spins, count), ids, lo, hi, periodic,
+        vectors(grains, ["v" + a for a in axes], count, missing="nan"), vectors(grains, spins, count), ids, lo, hi, periodic,
         [np.array([float(v) for v in value.split()])[3:3 + dimension] for key, value in more if key == "wall"],
         i, j, np.array([float(v) for v in table["fn"]]), normal, vectors(table, ["ft" + a for a in axes], touching),
         overlap, point, image, 0.0, shape, {key[7:]: float(value) for key, value in notes if key.startswith("energy_")})

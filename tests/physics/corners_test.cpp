@@ -82,7 +82,7 @@ TEST(Corners, a_frame_has_a_bead_in_each_corner_and_no_room_behind_the_next_ones
     const EngineSetup<2> setup = start<2>(s, {1, "frame", 0});
     const double length = setup.walls[1].position - setup.walls[0].position;
     for (const EngineWall<2>& wall : setup.walls) {
-      const auto along = static_cast<std::size_t>(1 - wall.axis);
+      const int along = 1 - wall.axis;
       EXPECT_EQ(wall.beads.front()[along], 0);
       EXPECT_EQ(wall.beads.back()[along], length);
       ASSERT_EQ(wall.along.size(), wall.beads.size());

@@ -59,18 +59,6 @@ ClusterShape read_line(const std::string& text, const std::string& file) {
 
 }  // namespace
 
-void add_cluster_columns(Table& table, const Packing& packing) {
-  if (packing.shapes.empty()) return;
-  const Grains& g = packing.grains;
-  table.add("shape", std::vector<std::int64_t>(g.shape.begin(), g.shape.end()));
-  table.add("scale", g.scale);
-  for (std::size_t k = 0; k < std::size(columns); ++k) {
-    std::vector<double> values;
-    for (const Quaternion& q : g.orientation) values.push_back(q.*parts[k]);
-    table.add(columns[k], std::move(values));
-  }
-}
-
 CsvMetadata shape_lines(const Packing& packing) {
   CsvMetadata lines;
   for (const ClusterShape& shape : packing.shapes) lines.emplace_back("shape", line(shape));

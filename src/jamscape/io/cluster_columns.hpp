@@ -9,9 +9,6 @@
 
 namespace jam {
 
-/// Columns shape, scale and qw, qx, qy, qz; nothing for discs and spheres.
-void add_cluster_columns(Table& table, const Packing& packing);
-
 /// A line `# shape: volume surface area length circumradius ix iy iz [arms], name` each, an arm being the numbers cx cy
 /// cz ux uy uz half_length radius.
 CsvMetadata shape_lines(const Packing& packing);

@@ -10,11 +10,14 @@
 #include <tuple>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/io/field_columns.hpp"
 #include "jamscape/io/leading_lines.hpp"
 #include "jamscape/io/number_text.hpp"
 #include "jamscape/io/packing_check.hpp"
 #include "jamscape/io/shape_list.hpp"
 #include "jamscape/io/vector_columns.hpp"
+#include "jamscape/packing/cell.hpp"
+#include "jamscape/packing/fields.hpp"
 #include "jamscape/packing/wall_roles.hpp"
 
 namespace jam {
@@ -27,8 +30,8 @@ constexpr const char* role_names[] = {"side", "floor", "lid"};  // in the order 
 const KnownKeys contact_keys{
     .here = {"wall", "roles", "step", "time", "stage", "vertices"},
     .once = {},
-    .consequential = {"wall", "dimension", "periodic", "shape"},
-    .elsewhere = {"dimension", "lo", "hi", "periodic", "packing_fraction", "packing_fraction_plain", "shape"},
+    .consequential = {"wall", "dimension", "periodic", "tilt", "shape"},
+    .elsewhere = {"dimension", "lo", "hi", "periodic", "tilt", "packing_fraction", "packing_fraction_plain", "shape"},
     .other_table = "table of particles"};
 
 const VectorNames force_names{{{"fx", "f_x", "force_x"}, {"fy", "f_y", "force_y"}, {"fz", "f_z", "force_z"}}};
@@ -52,12 +55,6 @@ struct Contact {
   Vec3 force() const { return tangential_force - normal_force * normal; }
 };
 
-Vec3 box_shift(const Domain& domain, const std::array<std::int8_t, 3>& image) {
-  Vec3 shift{};
-  for (int k = 0; k < 3; ++k) shift[k] = image[static_cast<std::size_t>(k)] * (domain.hi[k] - domain.lo[k]);
-  return shift;
-}
-
 /// The same contact seen from its other grain.
 void flip(Contact& c, const Domain& domain) {
   std::swap(c.i, c.j);
@@ -67,7 +64,7 @@ void flip(Contact& c, const Domain& domain) {
     if (c.normal[k] != 0) c.normal[k] = -c.normal[k];
     if (c.tangential_force[k] != 0) c.tangential_force[k] = -c.tangential_force[k];
   }
-  c.point = c.point + box_shift(domain, c.image);
+  c.point = c.point + image_shift(domain, c.image);
   c.flipped = true;
 }
 
@@ -93,6 +90,8 @@ class Reader {
         part1_(small_numbers({"part1", "part_i"}, 65535)),
         part2_(small_numbers({"part2", "part_j"}, 65535)),
         sliding_(small_numbers({"sliding", "slip"}, 255)) {
+    packing.knows.sliding = find_column(csv, {"sliding", "slip"}).has_value();
+    packing.knows.tangential_forces = tangential_ || force_ || (sideways_ && dimension_ == 2);
     const ColumnNames names{"fn", "f_n", "normal_force", "force_normal", "force"};
     if (find_column(csv, names) || !force_)
       normal_force_ = read_finite(csv, need_column(csv, names, "the normal force"));
@@ -194,6 +193,11 @@ class Reader {
   /// Without image columns the nearest copy is taken, which is only sure in a box of some size.
   void check_box() const {
     if (image_ || packing_.grains.size() == 0) return;
+    const auto& periodic = packing_.domain.periodic;
+    if (!packing_.domain.upright() && std::find(periodic.begin(), periodic.end(), true) != periodic.end())
+      throw data_error(
+          "which copy of a grain is touched in a tilted periodic cell is not given", csv_.file(),
+          "give the columns sx, sy (and sz): the copy is shifted by sx times edge x of the cell, and so on");
     const double most = *std::max_element(packing_.grains.radius.begin(), packing_.grains.radius.end());
     for (int k = 0; k < dimension_; ++k)
       if (packing_.domain.periodic[static_cast<std::size_t>(k)] &&
@@ -253,7 +257,7 @@ class Reader {
   }
 
   Vec3 other(const Contact& c) const {
-    return packing_.grains.position[static_cast<std::size_t>(c.j)] + box_shift(packing_.domain, c.image);
+    return packing_.grains.position[static_cast<std::size_t>(c.j)] + image_shift(packing_.domain, c.image);
   }
 
   void set_image(Contact& c, std::size_t row) const {
@@ -446,27 +450,20 @@ void read_contacts(const CsvFile& csv, Packing& packing, std::vector<std::string
 
 Table contact_table(const Packing& packing) {
   const Contacts& c = packing.contacts;
-  const int dimension = packing.dimension;
   std::vector<std::int64_t> id1, id2;
-  std::vector<Vec3> image;
   for (std::size_t m = 0; m < c.size(); ++m) {
     id1.push_back(packing.grains.id[c.i[m]]);
     id2.push_back(c.j[m] < 0 ? c.j[m] : packing.grains.id[static_cast<std::size_t>(c.j[m])]);
-    image.push_back(
-        {static_cast<double>(c.image[m][0]), static_cast<double>(c.image[m][1]), static_cast<double>(c.image[m][2])});
   }
   Table table;
   table.add("id1", id1);
   table.add("id2", id2);
-  table.add("fn", c.normal_force);
-  add_vectors(table, {"ftx", "fty", "ftz"}, c.tangential_force, dimension);
-  add_vectors(table, {"nx", "ny", "nz"}, c.normal, dimension);
-  add_vectors(table, {"x", "y", "z"}, c.point, dimension);
-  table.add("overlap", c.overlap);
-  add_vectors(table, {"sx", "sy", "sz"}, image, dimension);
-  table.add("part1", std::vector<std::int64_t>(c.part_i.begin(), c.part_i.end()));
-  table.add("part2", std::vector<std::int64_t>(c.part_j.begin(), c.part_j.end()));
-  table.add("sliding", std::vector<std::int64_t>(c.sliding.begin(), c.sliding.end()));
+  for_each_field(contact_fields, [&](const auto& f) {
+    const std::string_view name = f.name;
+    if (name == "i" || name == "j") return;  // by the names of the grains
+    if (f.known == nullptr || packing.knows.*f.known)
+      add_field(table, packing.contacts.*f.member, f, packing.dimension);
+  });
   return table;
 }
 

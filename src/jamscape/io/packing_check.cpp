@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "jamscape/base/error.hpp"
+#include "jamscape/packing/cell.hpp"
 
 namespace jam {
 namespace {
@@ -15,8 +16,6 @@ constexpr double rounding = 1e-3;    // of two radii: what digits left out may o
 constexpr double farthest = 1.5;     // of two radii: centres further apart cannot be of grains that touch
 constexpr double few_degrees = 0.1;  // radians
 constexpr std::size_t some = 4;      // contacts, too many to be all of one sign by chance
-
-double width(const Domain& domain, int axis) { return domain.hi[axis] - domain.lo[axis]; }
 
 bool any_periodic(const Packing& p) {
   for (int k = 0; k < p.dimension; ++k)
@@ -48,9 +47,8 @@ class ContactCheck {
 
  private:
   Vec3 lever(std::size_t m) const {
-    Vec3 l = p_.grains.position[static_cast<std::size_t>(c_.j[m])] - p_.grains.position[c_.i[m]];
-    for (int k = 0; k < p_.dimension; ++k) l[k] += c_.image[m][static_cast<std::size_t>(k)] * width(p_.domain, k);
-    return l;
+    return p_.grains.position[static_cast<std::size_t>(c_.j[m])] - p_.grains.position[c_.i[m]] +
+           image_shift(p_.domain, c_.image[m]);
   }
 
   std::string bodies(std::size_t m) const {
@@ -65,7 +63,7 @@ class ContactCheck {
     throw data_error(
         fmt::format("{} touch through both sides of the periodic box, which is only {:.6g} wide along {}: they would "
                     "be one edge of the network",
-                    bodies(m), width(p_.domain, axis), "xyz"[axis]),
+                    bodies(m), faces_.width(axis), "xyz"[axis]),
         places_.contact(m), fmt::format("give the packing twice, side by side along {}", "xyz"[axis]));
   }
 
@@ -73,8 +71,9 @@ class ContactCheck {
     const Vec3 centre = p_.grains.position[c_.i[m]];
     for (int k = 0; k < p_.dimension; ++k)
       if (p_.domain.periodic[static_cast<std::size_t>(k)]) {
-        const double boxes = std::round((c_.point[m][k] - centre[k]) / width(p_.domain, k));
-        if (boxes != 0) c_.point[m][k] -= boxes * width(p_.domain, k);
+        const double apart = faces_.above_low(k, c_.point[m]) - faces_.above_low(k, centre),
+                     boxes = std::round(apart / faces_.width(k));
+        if (boxes != 0) c_.point[m] -= boxes * p_.domain.edge(k);
       }
     const Vec3 arm = c_.point[m] - centre;
     if (norm(arm) > 2 * p_.grains.radius[c_.i[m]])
@@ -176,6 +175,7 @@ class ContactCheck {
   }
 
   Packing& p_;
+  Faces faces_{p_.domain, p_.dimension};
   Contacts& c_;
   const StatedContacts& stated_;
   const PackingPlaces& places_;
@@ -186,13 +186,13 @@ class ContactCheck {
 };
 
 /// The number of boxes by which a grain lies outside; a grain that is merely crossing the border stays.
-Vec3 boxes_outside(const Packing& p, std::size_t grain) {
+Vec3 boxes_outside(const Packing& p, const Faces& faces, std::size_t grain) {
   Vec3 boxes{};
   for (int k = 0; k < p.dimension; ++k) {
     if (!p.domain.periodic[static_cast<std::size_t>(k)]) continue;
-    const double x = p.grains.position[grain][k], r = p.grains.radius[grain];
-    if (x < p.domain.lo[k] - r || x > p.domain.hi[k] + r)
-      boxes[k] = std::floor((x - p.domain.lo[k]) / width(p.domain, k));
+    const Vec3& x = p.grains.position[grain];
+    const double above = faces.above_low(k, x), r = p.grains.radius[grain];
+    if (above < -r || faces.below_high(k, x) < -r) boxes[k] = std::floor(above / faces.width(k));
   }
   return boxes;
 }
@@ -200,19 +200,21 @@ Vec3 boxes_outside(const Packing& p, std::size_t grain) {
 void wrap(Packing& p, std::vector<std::string>& notes) {
   if (!any_periodic(p)) return;
   std::size_t moved = 0;
+  const Faces faces(p.domain, p.dimension);
   std::vector<Vec3> boxes(p.grains.size());
   for (std::size_t n = 0; n < p.grains.size(); ++n) {
-    boxes[n] = boxes_outside(p, n);
+    boxes[n] = boxes_outside(p, faces, n);
     moved += norm(boxes[n]) > 0;
   }
   if (moved == 0) return;
   Contacts& c = p.contacts;
   for (int k = 0; k < p.dimension; ++k) {
     const auto d = static_cast<std::size_t>(k);
+    const Vec3 edge = p.domain.edge(k);
     for (std::size_t n = 0; n < p.grains.size(); ++n)
-      if (boxes[n][k] != 0) p.grains.position[n][k] -= boxes[n][k] * width(p.domain, k);
+      if (boxes[n][k] != 0) p.grains.position[n] -= boxes[n][k] * edge;
     for (std::size_t m = 0; m < c.size(); ++m) {
-      if (boxes[c.i[m]][k] != 0) c.point[m][k] -= boxes[c.i[m]][k] * width(p.domain, k);
+      if (boxes[c.i[m]][k] != 0) c.point[m] -= boxes[c.i[m]][k] * edge;
       if (c.j[m] >= 0)
         c.image[m][d] =
             static_cast<std::int8_t>(c.image[m][d] + boxes[static_cast<std::size_t>(c.j[m])][k] - boxes[c.i[m]][k]);
@@ -225,8 +227,9 @@ void wrap(Packing& p, std::vector<std::string>& notes) {
 
 void check_grains(const Packing& p, const PackingPlaces& places) {
   if (p.grains.size() == 0) throw data_error("there are no grains", places.box);
+  const Faces faces(p.domain, p.dimension);
   for (int k = 0; k < p.dimension; ++k)
-    if (!(width(p.domain, k) > 0))
+    if (!(faces.width(k) > 0))
       throw data_error(fmt::format("the box has no room along {}: it reaches from {:.6g} to {:.6g}", "xyz"[k],
                                    p.domain.lo[k], p.domain.hi[k]),
                        places.box, "'# lo' holds the lower corner, '# hi' the upper one");
@@ -239,9 +242,10 @@ void check_grains(const Packing& p, const PackingPlaces& places) {
       throw data_error(fmt::format("grain {} has the mass {:.6g}", id, p.grains.mass[n]), places.grain(n),
                        "masses are above 0; without their column, one material is assumed");
     for (int k = 0; k < p.dimension; ++k) {
-      const double x = p.grains.position[n][k], slack = 1e-6 * width(p.domain, k);
+      const Vec3& place = p.grains.position[n];
+      const double x = place[k], slack = 1e-6 * faces.width(k);
       if (p.domain.periodic[static_cast<std::size_t>(k)] ||
-          (x >= p.domain.lo[k] - slack && x <= p.domain.hi[k] + slack))
+          (faces.above_low(k, place) >= -slack && faces.below_high(k, place) >= -slack))
         continue;
       throw data_error(fmt::format("grain {} lies outside the box: {} = {:.6g} is not from {:.6g} to {:.6g}", id,
                                    "xyz"[k], x, p.domain.lo[k], p.domain.hi[k]),

@@ -10,42 +10,48 @@
 
 #include "jamscape/base/error.hpp"
 #include "jamscape/io/cluster_columns.hpp"
+#include "jamscape/io/field_columns.hpp"
 #include "jamscape/io/leading_lines.hpp"
 #include "jamscape/io/number_text.hpp"
 #include "jamscape/io/packing_check.hpp"
-#include "jamscape/io/run_layout.hpp"
 #include "jamscape/io/vector_columns.hpp"
+#include "jamscape/packing/cell.hpp"
+#include "jamscape/packing/fields.hpp"
 
 namespace jam {
 namespace {
 
-const VectorNames position_names{
-    {{"x", "pos_x", "position_x"}, {"y", "pos_y", "position_y"}, {"z", "pos_z", "position_z"}}};
-const VectorNames velocity_names{
-    {{"vx", "v_x", "velocity_x"}, {"vy", "v_y", "velocity_y"}, {"vz", "v_z", "velocity_z"}}};
-const VectorNames spin_names{{{"spin_x", "wx", "omegax", "omega_x"},
-                              {"spin_y", "wy", "omegay", "omega_y"},
-                              {"spin_z", "wz", "omegaz", "omega_z"}}};
-const VectorNames angle_names{{{"angle_x"}, {"angle_y"}, {"angle_z"}}};
-const ColumnNames radius_names{"radius", "r"}, diameter_names{"diameter", "d"}, mass_names{"mass", "m"};
-const ColumnNames id_names{"id", "particle", "particle_id", "grain"};
+template <class T>
+constexpr const FieldText& text_of(T Grains::*member) {
+  const FieldText* found = nullptr;
+  for_each_field(grain_fields, [&](const auto& f) {
+    if constexpr (std::is_same_v<decltype(f.member), T Grains::*>)
+      if (f.member == member) found = &f;
+  });
+  return *found;
+}
+
+ColumnNames position_names(std::size_t axis) { return column_names(text_of(&Grains::position), 3)[axis]; }
+const ColumnNames radius_names = column_names(text_of(&Grains::radius), 2)[0], diameter_names{"diameter", "d"},
+                  mass_names = column_names(text_of(&Grains::mass), 2)[0],
+                  id_names = column_names(text_of(&Grains::id), 2)[0];
 
 KnownKeys particle_keys() {
   KnownKeys keys{
       .here = {"dimension", "step", "time", "stage", "packing_fraction", "packing_fraction_plain", "lo", "hi",
-               "periodic"},
+               "periodic", "tilt"},
       .once = {},
-      .consequential = {"dimension", "packing_fraction", "packing_fraction_plain", "periodic", "shape", "wall"},
+      .consequential = {"dimension", "packing_fraction", "packing_fraction_plain", "periodic", "tilt", "shape", "wall"},
       .elsewhere = {"wall"},
       .other_table = "table of contacts"};
-  for (const auto& [name, member] : run_layout::energies) keys.here.emplace_back(name);
+  for_each_field(energy_fields, [&](const auto& f) { keys.here.emplace_back(f.in_file()); });
   keys.once = keys.here;
   keys.here.emplace_back("shape");
   return keys;
 }
 
 int dimension_of(const CsvFile& csv, const LeadingLines& lines, std::vector<std::string>& notes) {
-  const auto z = find_column(csv, position_names[2]);
+  const auto z = find_column(csv, position_names(2));
   if (const auto given = lines.numbers("dimension", 1)) {
     if ((*given)[0] != 2 && (*given)[0] != 3)
       throw data_error(fmt::format("the dimension is {}, not 2 or 3", to_text((*given)[0])),
@@ -91,34 +97,6 @@ std::vector<double> read_radius(const CsvFile& csv) {
 }
 
 double power(double x, int dimension) { return dimension == 2 ? x * x : x * x * x; }
-
-/// Rotations: in 2D the one component out of the plane, under its plain name too.
-std::vector<Vec3> read_rotation(const CsvFile& csv, ColumnNames plain, const VectorNames& names, int dimension) {
-  if (dimension == 3) {
-    auto all = read_vectors(csv, names, 3);
-    return all ? *all : std::vector<Vec3>(csv.rows(), Vec3{});
-  }
-  plain.insert(plain.end(), names[2].begin(), names[2].end());
-  std::vector<Vec3> out(csv.rows(), Vec3{});
-  if (const auto column = find_column(csv, plain)) {
-    const auto values = read_finite(csv, *column);
-    for (std::size_t row = 0; row < out.size(); ++row) out[row][2] = values[row];
-  }
-  return out;
-}
-
-std::vector<std::int32_t> read_species(const CsvFile& csv) {
-  std::vector<std::int32_t> species(csv.rows(), 0);
-  const auto column = find_column(csv, {"species", "type", "material"});
-  if (!column) return species;
-  const auto values = csv.integers(*column);
-  for (std::size_t row = 0; row < species.size(); ++row) {
-    species[row] = static_cast<std::int32_t>(values[row]);
-    if (species[row] != values[row])
-      throw data_error(fmt::format("the species {} is out of range", values[row]), csv.place(row, *column));
-  }
-  return species;
-}
 
 /// Area (volume in space) of a grain; overlap of a cluster's arms counts once.
 double room(const Packing& p, std::size_t n) {
@@ -169,25 +147,28 @@ std::vector<std::size_t> read_grains(const CsvFile& csv, const LeadingLines& lin
                                      std::vector<std::string>& notes) {
   const int dimension = packing.dimension;
   const std::size_t column = need_column(csv, id_names, "the name of a grain");
-  need_column(csv, position_names[0], "where a grain is");
+  need_column(csv, position_names(0), "where a grain is");
   const auto id = csv.integers(column);
   auto order = order_by_id(csv, column, id);
   const auto radius = read_radius(csv);
-  const auto velocity = read_vectors(csv, velocity_names, dimension);
   Grains& g = packing.grains;
   g.id = ordered(id, order);
-  g.species = ordered(read_species(csv), order);
   g.radius = ordered(radius, order);
-  g.position = ordered(*read_vectors(csv, position_names, dimension), order);
-  g.velocity = velocity ? ordered(*velocity, order) : std::vector<Vec3>(id.size(), Vec3{});
-  g.spin = ordered(read_rotation(csv, {"spin", "omega"}, spin_names, dimension), order);
-  g.angle = ordered(read_rotation(csv, {"angle"}, angle_names, dimension), order);
-  if (dimension == 2 && velocity) refuse_out_of_plane(csv, velocity_names[2]);
+  for_each_field(grain_fields, [&]<class T>(const Field<Grains, std::vector<T>>& f) {
+    const std::string_view name = f.name;
+    if (name == "id" || name == "radius" || name == "mass" || f.presence == Presence::clusters) return;
+    const auto values = read_field<T>(csv, f, dimension);
+    if (values && dimension == 2 && f.shape == FieldShape::vector && name != "position")
+      refuse_out_of_plane(csv, column_names(f, 3)[2]);
+    g.*f.member = values ? ordered(*values, order) : std::vector<T>(id.size(), T{});
+    if (f.known != nullptr) packing.knows.*f.known = values.has_value();
+  });
   read_clusters(csv, lines, order, packing);
   if (const auto mass = find_column(csv, mass_names)) {
     g.mass = ordered(read_finite(csv, *mass), order);
   } else {
     g.mass = mass_of_one_material(packing);
+    packing.knows.masses = false;
     notes.push_back(packing.shapes.empty() ? "no masses are given: taken for one material, mass 1 at the mean radius"
                                            : "no masses are given: taken for one material, 1 in the mean");
   }
@@ -234,14 +215,20 @@ Domain read_domain(const LeadingLines& lines, const Packing& packing, std::vecto
       domain.hi[k] = n == 0 ? high : std::max(domain.hi[k], high);
     }
   }
+  if (const CsvRemark* line = lines.find("tilt")) {
+    const auto tilt = lines.numbers("tilt", 9);
+    for (std::size_t n = 0; n < 9; ++n) domain.tilt[n / 3][static_cast<int>(n % 3)] = n % 4 == 0 ? 0 : (*tilt)[n];
+    if (!lo)
+      throw data_error("a tilted cell is given in part", line->place, "give '# lo: x y z' and '# hi: x y z' too");
+  }
   if (!lo) notes.push_back("no box is given: taken as the smallest one around the grains, not periodic");
   return domain;
 }
 
 double plain_fraction(const Packing& packing) {
-  double grains = 0, box = 1;
+  double grains = 0;
   for (std::size_t n = 0; n < packing.grains.size(); ++n) grains += room(packing, n);
-  for (int k = 0; k < packing.dimension; ++k) box *= packing.domain.hi[k] - packing.domain.lo[k];
+  const double box = cell_volume(packing.domain, packing.dimension);
   return box > 0 ? grains / box : 0;
 }
 
@@ -263,7 +250,15 @@ ReadParticles read_particles(const CsvFile& csv, std::vector<std::string>& notes
   packing.time = lines.number("time", 0);
   packing.packing_fraction_plain = lines.number("packing_fraction_plain", plain_fraction(packing));
   packing.packing_fraction = lines.number("packing_fraction", packing.packing_fraction_plain);
-  for (const auto& [name, member] : run_layout::energies) packing.energy.*member = lines.number(name, 0);
+  int energies = 0, known = 0;
+  for_each_field(energy_fields, [&](const auto& f) {
+    packing.energy.*f.member = lines.number(f.in_file(), 0);
+    ++energies;
+    known += lines.find(f.in_file()) != nullptr;
+  });
+  packing.knows.energies = known == energies;
+  if (known > 0 && known < energies)
+    notes.push_back(fmt::format("{} of {} energies are given: the ledger is not known", known, energies));
   const auto place_of = [&](const ColumnNames& names) {
     return [&csv, &read, column = find_column(csv, names).value_or(0)](std::size_t n) {
       return csv.place(read.row[n], column);
@@ -277,33 +272,15 @@ ReadParticles read_particles(const CsvFile& csv, std::vector<std::string>& notes
 }
 
 bool holds_particles(const CsvFile& csv) {
-  return find_column(csv, position_names[0]) && (find_column(csv, radius_names) || find_column(csv, diameter_names));
+  return find_column(csv, position_names(0)) && (find_column(csv, radius_names) || find_column(csv, diameter_names));
 }
 
 Table particle_table(const Packing& packing) {
-  const Grains& g = packing.grains;
-  const int dimension = packing.dimension;
   Table table;
-  table.add("id", g.id);
-  table.add("species", std::vector<std::int64_t>(g.species.begin(), g.species.end()));
-  add_vectors(table, {"x", "y", "z"}, g.position, dimension);
-  table.add("radius", g.radius);
-  table.add("mass", g.mass);
-  add_vectors(table, {"vx", "vy", "vz"}, g.velocity, dimension);
-  if (dimension == 3) {
-    add_vectors(table, {"spin_x", "spin_y", "spin_z"}, g.spin, 3);
-    add_vectors(table, {"angle_x", "angle_y", "angle_z"}, g.angle, 3);
-    add_cluster_columns(table, packing);
-    return table;
-  }
-  std::vector<double> spin, angle;
-  for (std::size_t n = 0; n < g.size(); ++n) {
-    spin.push_back(g.spin[n][2]);
-    angle.push_back(g.angle[n][2]);
-  }
-  table.add("spin", spin);
-  table.add("angle", angle);
-  add_cluster_columns(table, packing);
+  for_each_field(grain_fields, [&](const auto& f) {
+    if (f.presence == Presence::clusters && packing.shapes.empty()) return;
+    if (f.known == nullptr || packing.knows.*f.known) add_field(table, packing.grains.*f.member, f, packing.dimension);
+  });
   return table;
 }
 
@@ -318,7 +295,13 @@ CsvMetadata particle_metadata(const Packing& p) {
                        {"lo", to_text(p.domain.lo)},
                        {"hi", to_text(p.domain.hi)},
                        {"periodic", fmt::format("{:d} {:d} {:d}", periodic[0], periodic[1], periodic[2])}};
-  for (const auto& [name, member] : run_layout::energies) metadata.emplace_back(name, to_text(p.energy.*member));
+  if (!p.domain.upright()) {
+    const auto& t = p.domain.tilt;
+    metadata.emplace_back("tilt", to_text(t[0]) + ' ' + to_text(t[1]) + ' ' + to_text(t[2]));
+  }
+  for_each_field(energy_fields, [&](const auto& f) {
+    if (p.knows.energies) metadata.emplace_back(f.in_file(), to_text(p.energy.*f.member));
+  });
   const CsvMetadata shapes = shape_lines(p);
   metadata.insert(metadata.end(), shapes.begin(), shapes.end());
   return metadata;

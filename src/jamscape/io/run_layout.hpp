@@ -1,14 +1,7 @@
 // What the writer and the reader of run files (run_file.hpp describes the layout) must agree on.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "jamscape/packing/packing.hpp"
 
 namespace jam::run_layout {
 
@@ -21,10 +14,5 @@ inline constexpr std::int32_t upright_version = 2;
 inline constexpr std::int32_t oldest_version = 1;
 /// The root attribute of files with a seal behind them.
 inline constexpr const char* sealed = "sealed";
-
-inline constexpr std::pair<const char*, double EnergyLedger::*> energies[] = {
-    {"energy_kinetic", &EnergyLedger::kinetic},     {"energy_elastic", &EnergyLedger::elastic},
-    {"energy_damped", &EnergyLedger::damped},       {"energy_rubbed", &EnergyLedger::rubbed},
-    {"energy_wall_work", &EnergyLedger::wall_work}, {"energy_gravity_work", &EnergyLedger::gravity_work}};
 
 }  // namespace jam::run_layout

@@ -1,5 +1,7 @@
 #include "jamscape/network/level_sweep.hpp"
 
+#include <cmath>
+
 #include "jamscape/base/error.hpp"
 #include "jamscape/network/level_tally.hpp"
 #include "jamscape/network/threshold_finder.hpp"
@@ -54,10 +56,16 @@ std::vector<ClusterLevel> sweep_unsorted(std::span<const double> weight, std::sp
   });
 }
 
-Sides sides_around(const BoxCopy& around) {
+Sides sides_around(const BoxCopy& around, const std::array<std::array<double, 3>, 3>& cell) {
   unsigned sides = 0;
-  for (int a = 0; a < 3; ++a)
-    if (around[static_cast<std::size_t>(a)] != 0) sides |= low_side(a) | high_side(a);
+  for (std::size_t a = 0; a < 3; ++a) {
+    double shift = 0, scale = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      shift += around[k] * cell[k][a];
+      scale += std::abs(around[k] * cell[k][a]);
+    }
+    if (std::abs(shift) > 1e-9 * scale) sides |= low_side(static_cast<int>(a)) | high_side(static_cast<int>(a));
+  }
   return static_cast<Sides>(sides);
 }
 
@@ -95,7 +103,7 @@ std::vector<ClusterLevel> level_sweep(const WeightedGraph& graph, std::span<cons
     const auto merge = sets.unite(graph.from[e], graph.to[e], box.image[e], larger);
     if (merge.joined()) return tally.join(merge.kept, merge.lost);
     tally.add_inner(merge.kept, 1);
-    tally.add_sides(merge.kept, sides_around(merge.around));
+    tally.add_sides(merge.kept, sides_around(merge.around, box.cell));
   });
 }
 

@@ -44,6 +44,9 @@ struct ClusterLevel {
 struct BoxSides {
   std::span<const Sides> touches;  ///< one entry a vertex
   std::span<const BoxCopy> image;  ///< one entry an edge: the copy of `to` that is linked to `from`
+  /// The edges of the periodic cell along which copies are counted: a cluster percolates along an axis where it winds
+  /// by a shift along it.
+  std::array<std::array<double, 3>, 3> cell = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 };
 
 /// One entry a threshold. Throws a data error for a graph that breaks the rules of validate_edges() or spans of other

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "jamscape/packing/cell.hpp"
 #include "jamscape/packing/packing.hpp"
 
 namespace jam {
@@ -44,10 +45,8 @@ inline std::size_t next_of_pair(const Contacts& contacts, std::size_t c) {
 /// From the centre of the first body of contact c to that of the second, the copy that touches; two grains only.
 inline Vec3 branch(const Packing& packing, std::size_t c) {
   const Contacts& k = packing.contacts;
-  Vec3 l = packing.grains.position[static_cast<std::size_t>(k.j[c])] - packing.grains.position[k.i[c]];
-  for (int a = 0; a < 3; ++a)
-    l[a] += k.image[c][static_cast<std::size_t>(a)] * (packing.domain.hi[a] - packing.domain.lo[a]);
-  return l;
+  const Vec3 l = packing.grains.position[static_cast<std::size_t>(k.j[c])] - packing.grains.position[k.i[c]];
+  return l + image_shift(packing.domain, k.image[c]);
 }
 
 /// Force on the first body of a pair, summed over its contacts from contact c on: normal parts only, or all of it.

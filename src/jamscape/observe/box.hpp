@@ -13,7 +13,11 @@ const Wall* find_cylinder(const Packing& packing);
 /// The axis of the lid, from floor to top; the last axis without a lid.
 int height_axis(const Packing& packing);
 
-/// Area (2D) or volume (3D) of Domain::lo..hi, or of the cylinder between its ends.
+/// Lengths of the cell along the axes, the same for every cell of a lattice; not a number for tilted cells that have
+/// none.
+Vec3 box_sides(const Packing& packing);
+
+/// Area (2D) or volume (3D) of the cell, or of the cylinder between its ends.
 double box_volume(const Packing& packing);
 
 Measure box_measure();

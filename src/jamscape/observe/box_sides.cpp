@@ -44,4 +44,12 @@ std::vector<BoxCopy> edge_images(const Packing& packing, const ForceNetwork& net
   return images;
 }
 
+std::array<std::array<double, 3>, 3> cell_edges(const Domain& cell) {
+  std::array<std::array<double, 3>, 3> edges{};
+  for (int k = 0; k < 3; ++k)
+    for (int a = 0; a < 3; ++a)
+      edges[static_cast<std::size_t>(k)][static_cast<std::size_t>(a)] = cell.upright() ? a == k : cell.edge(k)[a];
+  return edges;
+}
+
 }  // namespace jam

@@ -22,4 +22,7 @@ std::vector<Sides> sides_of_vertices(const ForceNetwork& network, std::vector<Si
 /// Of each edge the periodic copy of its second grain; empty where no side is periodic.
 std::vector<BoxCopy> edge_images(const Packing& packing, const ForceNetwork& network);
 
+/// The edges of the cell for BoxSides; of an upright one along the axes.
+std::array<std::array<double, 3>, 3> cell_edges(const Domain& cell);
+
 }  // namespace jam

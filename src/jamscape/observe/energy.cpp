@@ -9,7 +9,7 @@ Measure energy_measure() {
   return frame_measure(
       {"energy", "energy ledger",
        "ledger_sum = kinetic + elastic + damped + rubbed - wall_work - gravity_work stays at its first value to the "
-       "integrator's order",
+       "integrator's order. Missing where the ledger is not given.",
        "theory sec. 6b"},
       {{"kinetic", unit, "energy of translation and rotation, now"},
        {"elastic", unit, "energy of the normal and tangential springs, now"},
@@ -21,7 +21,8 @@ Measure energy_measure() {
       [](const Snapshot& s) {
         const EnergyLedger& e = s.packing().energy;
         return std::vector<double>{e.kinetic, e.elastic, e.damped, e.rubbed, e.wall_work, e.gravity_work, e.sum()};
-      });
+      },
+      {.known = {&Knowledge::energies}});
 }
 
 }  // namespace jam

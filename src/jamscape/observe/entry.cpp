@@ -1,9 +1,13 @@
 #include "jamscape/observe/entry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "jamscape/packing/cell.hpp"
+#include "jamscape/packing/fields.hpp"
 
 namespace jam {
 namespace {
@@ -11,6 +15,11 @@ namespace {
 void require_columns(const std::string& measure, std::size_t given, std::size_t declared) {
   if (given != declared)
     throw std::logic_error("measure " + measure + " gave another number of columns than it declares");
+}
+
+std::string printed(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 bool takes_rows(const Snapshot& s) {
@@ -24,11 +33,26 @@ bool is_multiple(double packing_fraction, double every) {
   return std::abs(std::remainder(packing_fraction, every)) <= 0.01 * every;
 }
 
+std::string lacking(const Needs& needs, const Packing& packing) {
+  std::string names;
+  for_each_field(knowledge_fields, [&](const auto& f) {
+    for (bool Knowledge::*const need : needs.known)
+      if (need == f.member && !(packing.knows.*need)) names += (names.empty() ? "" : ", ") + printed(f.name);
+  });
+  if (!names.empty()) return names + " are not given";
+  if (needs.upright_walls && !packing.walls.empty() && !reduced(packing.domain, packing.dimension).upright())
+    return "the cell between the walls is tilted";
+  return {};
+}
+
 Measure frame_measure(MeasureText text, std::vector<ColumnInfo> columns,
-                      std::function<std::vector<double>(const Snapshot&)> values) {
-  Measure m{text.name, text.title, text.formula, text.source, Rows::frame, columns, 0, true, {}};
-  m.evaluate = [name = text.name, columns = std::move(columns), values = std::move(values)](const Snapshot& s) {
-    const std::vector<double> row = values(s);
+                      std::function<std::vector<double>(const Snapshot&)> values, Needs needs) {
+  Measure m{text.name, text.title, text.formula, text.source, Rows::frame, columns, 0, true, {}, {}, needs};
+  m.evaluate = [name = text.name, columns = std::move(columns), values = std::move(values),
+                needs = std::move(needs)](const Snapshot& s) {
+    const std::vector<double> row = lacking(needs, s.packing()).empty()
+                                        ? values(s)
+                                        : std::vector<double>(columns.size(), std::numeric_limits<double>::quiet_NaN());
     require_columns(name, row.size(), columns.size());
     Table table;
     table.columns.reserve(row.size());

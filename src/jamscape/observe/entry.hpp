@@ -14,9 +14,9 @@ struct MeasureText {
   std::string name, title, formula, source;
 };
 
-/// One row a frame: a number per column.
+/// One row a frame: a number per column; missing (NaN) where the packing lacks what the measure needs.
 Measure frame_measure(MeasureText text, std::vector<ColumnInfo> columns,
-                      std::function<std::vector<double>(const Snapshot&)> values);
+                      std::function<std::vector<double>(const Snapshot&)> values, Needs needs = {});
 
 /// One row a frame of numbers that take their time (fits, resampling): evaluated only where rows_measure is, all
 /// columns missing (NaN) elsewhere.

@@ -43,6 +43,12 @@ struct PooledRatio {
   std::string text;   ///< one sentence
 };
 
+/// What a packing must know, or be, for a measure to mean anything.
+struct Needs {
+  std::vector<bool Knowledge::*> known = {};
+  bool upright_walls = false;  ///< walls only in upright cells
+};
+
 struct Measure {
   std::string name;     ///< snake_case; the key in study files
   std::string title;    ///< a few words
@@ -54,7 +60,12 @@ struct Measure {
   bool averaged = true;             ///< false: rows are points, not bins; no ensemble mean is taken (diagrams)
   std::function<Table(const Snapshot&)> evaluate;
   std::vector<PooledRatio> ratios = {};
+  Needs needs = {};
 };
+
+/// Why a measure means nothing on a packing ("velocities are not known"); empty where it does. Its columns are missing
+/// there, or it has no rows.
+std::string lacking(const Needs& needs, const Packing& packing);
 
 /// All measures, in the order of the documentation.
 const std::vector<Measure>& measures();

@@ -95,7 +95,7 @@ RadialDistribution radial_distribution(const Packing& p, const MeasureOptions& o
     std::vector<double>& ideal = result.ideal.emplace_back(bins, 0.0);
     std::copy_n(whole_shell.begin(), last + 1, ideal.begin());
     if (room.thin < 0) continue;
-    const double below = x[room.thin] - p.domain.lo[room.thin], above = p.domain.hi[room.thin] - x[room.thin];
+    const double below = room.above_low(room.thin, x), above = room.below_high(room.thin, x);
     const auto ball = [&](double r) { return half_ball(r, std::max(below, 0.0)) + half_ball(r, std::max(above, 0.0)); };
     for (std::size_t b = 0; b <= last; ++b)
       ideal[b] = density * (ball(static_cast<double>(b + 1) * width) - ball(static_cast<double>(b) * width));

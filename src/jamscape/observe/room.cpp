@@ -6,20 +6,21 @@
 #include <numbers>
 
 #include "jamscape/base/border.hpp"
+#include "jamscape/base/error.hpp"
 #include "jamscape/observe/box.hpp"
 
 namespace jam {
 
 Room::Room(const Packing& packing, double layer)
     : dimension_(packing.dimension),
-      lo_(packing.domain.lo),
-      hi_(packing.domain.hi),
-      periodic_(packing.domain.periodic) {
+      cell_(reduced(packing.domain, packing.dimension)),
+      faces_(cell_, packing.dimension) {
   double bead = 0;
   for (const Wall& w : packing.walls) bead = std::max(bead, w.bead_radius);
   layer_ = layer + bead;
   if (const Wall* cylinder = find_cylinder(packing)) {
     axis_ = wall_axis(*cylinder, dimension_);
+    if (!cell_.upright()) throw data_error("a cylinder stands in an upright cell, and this one is tilted");
     centre_ = cylinder->position;
     radius_ = cylinder->radius;
   }
@@ -32,10 +33,10 @@ Room::Place Room::place(const Vec3& x) const {
     p.reach = std::min(p.reach, wall - layer_);
   };
   for (int a = 0; a < dimension_; ++a) {
-    if (periodic_[static_cast<std::size_t>(a)])
-      p.reach = std::min(p.reach, width(a) / 2);
+    if (periodic(a))
+      p.reach = std::min(p.reach, period(a) / 2);
     else if (walled(a) && a != thin)
-      keep_from(std::min(x[a] - lo_[a], hi_[a] - x[a]), margin[a], width(a));
+      keep_from(std::min(above_low(a, x), below_high(a, x)), margin[a], width(a));
   }
   if (round()) {
     Vec3 out = x - centre_;
@@ -47,6 +48,11 @@ Room::Place Room::place(const Vec3& x) const {
 
 double Room::volume_inside() const {
   double volume = 1;
+  if (!cell_.upright()) {
+    volume = cell_volume(cell_, dimension_);
+    for (int a = 0; a < dimension_; ++a) volume *= 1 - 2 * margin[a] / width(a);
+    return volume;
+  }
   for (int a = 0; a < dimension_; ++a)
     if (!across(a)) volume *= width(a) - 2 * margin[a];
   const double r = radius_ - round_margin;
@@ -54,23 +60,19 @@ double Room::volume_inside() const {
 }
 
 std::vector<Vec3> Room::wrapped(std::vector<Vec3> points) const {
-  for (int a = 0; a < dimension_; ++a) {
-    if (!periodic_[static_cast<std::size_t>(a)]) continue;
-    for (Vec3& x : points) x[a] -= width(a) * std::floor((x[a] - lo_[a]) / width(a));
-  }
+  for (Vec3& x : points) x = faces_.wrapped(x);
   return points;
 }
 
 std::vector<Vec3> Room::with_copies(std::vector<Vec3> points, double range) const {
   for (int a = 0; a < dimension_; ++a) {
-    if (!periodic_[static_cast<std::size_t>(a)]) continue;
+    if (!periodic(a)) continue;
     const std::size_t own = points.size();
+    const Vec3 edge = cell_.edge(a);
+    const double least = -range * (1 + 1e-9);  // one too many does no harm
     for (std::size_t k = 0; k < own; ++k)
-      for (const double shift : {-width(a), width(a)}) {
-        Vec3 copy = points[k];
-        copy[a] += shift;
-        if (copy[a] > lo_[a] - range && copy[a] < hi_[a] + range) points.push_back(copy);
-      }
+      for (const Vec3& copy : {points[k] - edge, points[k] + edge})
+        if (above_low(a, copy) > least && below_high(a, copy) > least) points.push_back(copy);
   }
   return points;
 }

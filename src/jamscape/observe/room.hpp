@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "jamscape/packing/cell.hpp"
 #include "jamscape/packing/packing.hpp"
 
 namespace jam {
@@ -15,11 +16,12 @@ class Room {
   Room(const Packing& packing, double layer);
 
   /// Limited by two walls, and not periodic or across a cylinder.
-  bool walled(int axis) const {
-    return axis < dimension_ && !periodic_[static_cast<std::size_t>(axis)] && !across(axis);
-  }
+  bool walled(int axis) const { return axis < dimension_ && !periodic(axis) && !across(axis); }
   bool round() const { return radius_ > 0; }  ///< a cylinder
-  double width(int axis) const { return hi_[axis] - lo_[axis]; }
+  /// Between the two faces of an axis; of a tilted cell those that its reduced edges join (cell.hpp).
+  double width(int axis) const { return faces_.width(axis); }
+  double above_low(int axis, const Vec3& x) const { return faces_.above_low(axis, x); }
+  double below_high(int axis, const Vec3& x) const { return faces_.below_high(axis, x); }
   double diameter() const { return 2 * radius_; }
 
   Vec3 margin{};            ///< from the walls of each axis
@@ -43,9 +45,12 @@ class Room {
  private:
   bool across(int axis) const { return radius_ > 0 && axis != axis_; }
 
+  bool periodic(int axis) const { return cell_.periodic[static_cast<std::size_t>(axis)]; }
+  double period(int axis) const { return cell_.upright() ? width(axis) : norm(cell_.edge(axis)); }
+
   int dimension_;
-  Vec3 lo_, hi_;
-  std::array<bool, 3> periodic_;
+  Domain cell_;
+  Faces faces_;
   double layer_ = 0;
   int axis_ = -1;  // of the cylinder
   Vec3 centre_{};  // a point of its axis

@@ -48,7 +48,7 @@ const std::vector<ClusterLevel>& Snapshot::levels() const {
   const std::vector<Sides> sides = sides_of_vertices(network(), touched_sides(packing_, bonds()));
   const std::vector<BoxCopy> images = edge_images(packing_, network());
   levels_ = images.empty() ? level_sweep(history(), thresholds, sides)
-                           : level_sweep(network().graph, thresholds, {sides, images});
+                           : level_sweep(network().graph, thresholds, {sides, images, cell_edges(packing_.domain)});
   return *levels_;
 }
 

@@ -66,7 +66,7 @@ Measure solid_fraction_measure() {
         if (p.dimension == 2) area = sum_over(p.grains.size(), [&](std::size_t i) { return body_area(p, i); });
         for (const double overlap : p.contacts.overlap) deepest = std::max(deepest, overlap);
         const int axis = height_axis(p);
-        return std::vector<double>{solid_fraction(p), ratio(area, box_volume(p)), p.domain.hi[axis] - p.domain.lo[axis],
+        return std::vector<double>{solid_fraction(p), ratio(area, box_volume(p)), box_sides(p)[axis],
                                    weight_over_load(p), deepest};
       });
 }

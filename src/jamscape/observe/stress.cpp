@@ -2,13 +2,14 @@
 
 #include "jamscape/observe/box.hpp"
 #include "jamscape/observe/entry.hpp"
+#include "jamscape/packing/cell.hpp"
 
 namespace jam {
 
 namespace {
 
 /// Sums of f_a l_b over the contacts, in registers, so that no sum waits for memory; in the plane four of the nine.
-template <int D>
+template <int D, bool tilted>
 std::array<Vec3, 3> sum_over_contacts(const Packing& packing) {
   const Contacts& k = packing.contacts;
   const Grains& g = packing.grains;
@@ -22,8 +23,10 @@ std::array<Vec3, 3> sum_over_contacts(const Packing& packing) {
     const bool wall = k.j[c] < 0;
     const Vec3& to = wall ? k.point[c] : g.position[static_cast<std::size_t>(k.j[c])];
     const auto& image = k.image[c];
+    const Vec3 shift = tilted && !wall ? image_shift(packing.domain, image) : Vec3{};
     const auto arm = [&](int a) {
       const double l = to[a] - at[a];
+      if constexpr (tilted) return l + shift[a];
       return wall ? l : l + image[static_cast<std::size_t>(a)] * side[a];
     };
     const double fx = t[0] - fn * n[0], fy = t[1] - fn * n[1];
@@ -42,7 +45,10 @@ std::array<Vec3, 3> sum_over_contacts(const Packing& packing) {
 }  // namespace
 
 std::array<Vec3, 3> stress(const Packing& packing) {
-  auto sigma = packing.dimension == 2 ? sum_over_contacts<2>(packing) : sum_over_contacts<3>(packing);
+  auto sigma = packing.domain.upright() ? packing.dimension == 2 ? sum_over_contacts<2, false>(packing)
+                                                                 : sum_over_contacts<3, false>(packing)
+               : packing.dimension == 2 ? sum_over_contacts<2, true>(packing)
+                                        : sum_over_contacts<3, true>(packing);
   const double volume = box_volume(packing);
   for (Vec3& row : sigma) row = (volume > 0 ? 1 / volume : 0.0) * row;
   return sigma;

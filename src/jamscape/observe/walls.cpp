@@ -6,6 +6,7 @@
 #include "jamscape/observe/box_sides.hpp"
 #include "jamscape/observe/entry.hpp"
 #include "jamscape/observe/wall_margin.hpp"
+#include "jamscape/packing/cell.hpp"
 
 namespace jam {
 
@@ -15,12 +16,13 @@ namespace {
 std::vector<double> inner_forces(const Packing& p, const Bonds& bonds, const MeasureOptions& options) {
   std::vector<double> force(p.walls.size(), 0.0);
   const WallMargin margin(p, options);
+  const Domain cell = reduced(p.domain, p.dimension);
   const Contacts& k = p.contacts;
   for (const std::uint32_t c : bonds.wall_contact) {
     const auto w = static_cast<std::size_t>(-1 - k.j[c]);
     const int axis = wall_axis(p.walls[w], p.dimension);
     Vec3 along = k.point[c];
-    along[axis] = (p.domain.lo[axis] + p.domain.hi[axis]) / 2;
+    along[axis] = (cell.lo[axis] + cell.hi[axis]) / 2;
     if (margin.keeps(along))
       force[w] += dot(k.tangential_force[c] - k.normal_force[c] * k.normal[c], p.walls[w].normal);
   }
@@ -29,12 +31,13 @@ std::vector<double> inner_forces(const Packing& p, const Bonds& bonds, const Mea
 
 double wall_virial(const Packing& p, const Bonds& bonds) {
   const Contacts& k = p.contacts;
-  const Vec3 centre = 0.5 * (p.domain.lo + p.domain.hi);
+  const Domain cell = reduced(p.domain, p.dimension);
+  const Vec3 centre = 0.5 * (cell.lo + cell.hi);
   double sum = 0;
   for (const std::uint32_t c : bonds.wall_contact)
     sum += dot(k.tangential_force[c] - k.normal_force[c] * k.normal[c], k.point[c] - centre);
   const double volume = box_volume(p);
-  const auto walled = std::count(p.domain.periodic.begin(), p.domain.periodic.begin() + p.dimension, false);
+  const auto walled = std::count(cell.periodic.begin(), cell.periodic.begin() + p.dimension, false);
   return volume > 0 && walled > 0 ? (0 - sum) / (static_cast<double>(walled) * volume) : 0;
 }
 
@@ -42,7 +45,8 @@ double wall_virial(const Packing& p, const Bonds& bonds) {
 
 WallForces wall_forces(const Packing& packing, const Bonds& bonds, const MeasureOptions& options) {
   WallForces f;
-  const Vec3 side = packing.domain.hi - packing.domain.lo;
+  const Domain cell = reduced(packing.domain, packing.dimension);
+  const Vec3 side = cell.hi - cell.lo;
   const double volume = box_volume(packing);
   const bool whole = options.force_margin == 0;
   const WallMargin margin(packing, options);
@@ -79,7 +83,9 @@ Measure walls_measure() {
        "rest and without gravity the pressure of the measure stress. wall_pressure is larger by what walls hand to "
        "each other in the corners and along themselves, and as bead contacts lie inside the lines of centres. Walls "
        "that are not there have force 0; a cylinder, whose sum over all directions says nothing, is left out of "
-       "wall_pressure.",
+       "wall_pressure. Missing where walls stand around a tilted cell, unless it stands for the same space as an "
+       "upright "
+       "one.",
        "theory sec. 1"},
       {{"wall_force_x_lo", unit, "normal force on the wall at small x"},
        {"wall_force_x_hi", unit, "normal force on the wall at large x"},
@@ -95,7 +101,8 @@ Measure walls_measure() {
         row.push_back(f.pressure);
         row.push_back(f.virial);
         return row;
-      });
+      },
+      {.upright_walls = true});
 }
 
 }  // namespace jam

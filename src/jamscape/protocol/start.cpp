@@ -36,6 +36,7 @@ double smallest_diameter(const GrainOptions& o) {
 /// its next beads, at s from the corner along both walls, decide what may be caught there: discs of radius r at the
 /// touching distance R = r + 1/2 from both. They fit between them only for R < s/sqrt(2); for R = .9 s they see them at
 /// an angle of 103 degrees, which friction below .79 lets go of, and at less as s shrinks. So s <= R/.9 at the start.
+/// Of R > 1.58 s they rest on the second beads, at up to 127 degrees.
 std::vector<double> along_row(double length, const SystemOptions& system) {
   std::vector<double> row;
   if (system.domain.bead_rows == BeadRows::framed) {

@@ -27,6 +27,9 @@ def stress(packing, options):
 
 @audits("kinetic_stress")
 def kinetic_stress(packing, options):
+    if np.isnan(packing.velocity).any():  # not given: nothing is known
+        names = [f"kinetic_stress_{pair}" for pair in ("xx", "yy", "xy", "zz", "xz", "yz")]
+        return {name: np.nan for name in names + ["kinetic_pressure"]}
     drift = packing.mass @ packing.velocity / packing.mass.sum()
     v = packing.velocity - drift
     full = np.zeros((3, 3))
