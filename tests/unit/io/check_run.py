@@ -5,6 +5,9 @@ Exit status 77: there is no h5py.
 """
 
 import csv
+import os
+import pathlib
+import re
 import sys
 
 try:
@@ -23,6 +26,32 @@ def table(path):
 
 def same(name, found, wanted):
     assert np.array_equal(np.asarray(found, dtype=float), wanted), f"{name} differs"
+
+
+DOCUMENTED = pathlib.Path(__file__).resolve().parents[3] / "docs" / "reference" / "files.md"
+
+
+def check_documentation(run):
+    """Every array that the page names is there, with the numbers it says, and its example runs."""
+    page = DOCUMENTED.read_text()
+    with h5py.File(run, "r") as f:
+        clusters = "shapes" in f
+        for path, kind, components, meaning in re.findall(r"^\| `(/\S+)` \| (\S+) \|(.*?)\|.*\| (.*) \|$", page, re.M):
+            if path.startswith("/knows/") or path.endswith(("/tilt", "/relaxation")) or (path.startswith("/shapes/") and not clusters):
+                continue  # only where there is something to say
+            if meaning.startswith("clusters") and not clusters:
+                continue
+            item = f[path]
+            data = item["value"] if isinstance(item, h5py.Group) else item
+            if kind != "text":
+                wanted = np.dtype({"f": "f", "i": "i", "u": "u"}[kind[0]] + str(int(kind[1:]) // 8))
+                assert data.dtype == wanted, f"{path} holds {data.dtype}, not {kind}"
+            components = components.strip()
+            if components in ("3", "4"):
+                assert data.shape[-1] == int(components), path
+    example = re.search(r"```python\n(.*?)```", page, re.S).group(1)
+    os.chdir(pathlib.Path(run).parent)
+    exec(compile(example, "the example of files.md", "exec"), {})
 
 
 def main(run, *tables):
@@ -99,3 +128,4 @@ def main(run, *tables):
 
 
 main(*sys.argv[1:])
+check_documentation(sys.argv[1])
