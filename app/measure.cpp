@@ -51,7 +51,7 @@ ExitCode measure_results(const MeasureArguments& a) {
       if (std::find(study.measures.list.begin(), study.measures.list.end(), name) == study.measures.list.end())
         study.measures.list.push_back(name);
   chosen_measures(study);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> tasks = stored_tasks(study, dir);
   std::optional<ScratchFolder> scratch;
   if (may_write_results(dir, tasks)) {
     write_results_study(dir, study);

@@ -42,7 +42,7 @@ ExitCode damage_code(bool damaged) { return damaged ? ExitCode::data : ExitCode:
 /// Of simulations that stand in DIR, tables, means and report in DIR or elsewhere.
 ExitCode report_simulated(const fs::path& dir, const fs::path& to) {
   const Study study = study_of_results(dir);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> tasks = stored_tasks(study, dir);
   if (to == dir) {
     if (!may_write_results(dir, tasks))
       throw data_error("nothing can be written here", dir.string(), "--out FOLDER: report, tables and means go there");
@@ -65,7 +65,7 @@ ExitCode report(const std::string& from, const std::string& out) {
     throw usage_error("these tables have no study.toml, so a report cannot stand beside them", dir, "--out FOLDER");
   if (!may_write(dir)) throw data_error("nothing can be written here", dir, "--out FOLDER");
   const Study study = study_of_results(dir);
-  write_results(study, list_tasks(study), {ResultPlaces(dir), dir, {}}, Summary::text);
+  write_results(study, stored_tasks(study, dir), {ResultPlaces(dir), dir, {}}, Summary::text);
   return ExitCode::done;
 }
 
@@ -90,7 +90,7 @@ ExitCode score(const std::string& dir, const std::string& file, bool as_json, bo
   Study study = study_of_results(dir);
   if (unmarked) study.info.ledger = LedgerRule::closed;
   const std::vector<Target> targets = find_targets(study, file);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> tasks = stored_tasks(study, dir);
   std::optional<ScratchFolder> scratch;
   if (!may_write_results(dir, tasks)) scratch.emplace("score");
   const ResultPlaces places(dir, scratch ? scratch->path() : fs::path(dir));
@@ -150,7 +150,7 @@ Verified verify_one(const Study& study, const Task& task, const std::string& dir
 
 ExitCode verify(const std::string& dir, const std::string& hash, bool all, int jobs) {
   const Study study = study_of_results(dir);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> tasks = stored_tasks(study, dir);
   const int cores = jobs > 0 ? jobs : usable_cores();
   const std::vector<LeftOut> damaged = find_damage(tasks, dir, cores);
   std::vector<std::size_t> chosen;
@@ -211,7 +211,7 @@ std::size_t export_task(const Task& task, const TaskFolder& folder, const fs::pa
 
 ExitCode export_csv(const std::string& dir, const fs::path& out) {
   const Study study = study_of_results(dir);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> tasks = stored_tasks(study, dir);
   std::vector<LeftOut> left_out = find_damage(tasks, dir, usable_cores());
   std::size_t written = 0;
   for (const Task& t : tasks) {

@@ -116,7 +116,7 @@ ExitCode run(const RunArguments& a) {
   options.checkpoint_interval = a.checkpoint;
   options.stop = stop_requested;
   chosen_measures(study);
-  const std::vector<Task> all = list_tasks(study);
+  const std::vector<Task> all = plan_tasks(study);
   const std::vector<Task> tasks = a.only.empty() ? all : tasks_of(study, all, a.only);
   if (a.dry_run) return dry_run(study, tasks, a, options.jobs);
 

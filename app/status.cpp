@@ -33,7 +33,7 @@ std::size_t frames_taken(const TaskFolder& folder) {
 
 ExitCode status(const std::string& dir, bool as_json, bool times) {
   const Study study = study_of_results(dir);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> tasks = stored_tasks(study, dir);
   if (times && !as_json) {
     print_times(dir, study, tasks);
     return ExitCode::done;

@@ -116,6 +116,17 @@ class Runs(Case):
         again = self.program("run", "out", "--json")
         self.assertEqual(self.simulated(again), 0)
 
+    def test_reports_go_by_the_plans_kept_with_the_tasks(self):
+        self.program("run", "tiny.toml", "--out", "out", "--quiet")
+        plans = list((self.folder / "out/tasks").glob("*/plan.csv"))
+        self.assertEqual(len(plans), 4)
+        self.program("report", "out", "--out", "kept")
+        for plan in plans:  # as in folders of earlier versions
+            plan.unlink()
+        self.program("report", "out", "--out", "planned")
+        for table in ("tables/frames.csv", "ensemble/frames.csv", "ensemble/transitions.csv"):
+            self.assertEqual((self.folder / "kept" / table).read_bytes(), (self.folder / "planned" / table).read_bytes())
+
     def test_a_failing_run_lets_the_others_go_on(self):
         # One step is longer than a grain needs to pass another: this system must blow up.
         self.write("bad.toml", STUDY.replace("contact.friction = 0.5",

@@ -345,7 +345,7 @@ void write_cluster_fixture(const std::filesystem::path& folder, std::int64_t gra
   write_results_study(folder, study);
   for (const char* sub : {"ensemble", "tables"}) make_folder(folder / sub);
   Tables tables;
-  for (const Task& task : list_tasks(study)) {
+  for (const Task& task : plan_tasks(study)) {
     const Kind& kind = kinds[task.system / std::size(aspects)];
     const Heap heap(kind, aspects[task.system % std::size(aspects)], task.realisation == 0 ? grains : 0,
                     Random(7, "clusters", task.system, "packing"));

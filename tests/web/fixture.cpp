@@ -225,7 +225,7 @@ void write_task(const TaskFolder& folder, const Task& task) {
 void write_fixture(const std::filesystem::path& folder, const FixtureParts& parts) {
   const Study study = read_study_text(study_text(parts.title), "fixture.toml");
   write_results_study(folder, study);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> tasks = plan_tasks(study);
   for (const char* sub : {"ensemble", "tables"}) make_folder(folder / sub);
   if (parts.ensemble) write_ensemble(folder, tasks);
   if (parts.transitions) write_transitions(folder);

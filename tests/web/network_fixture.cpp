@@ -179,7 +179,7 @@ Packing made_up_packing(const Task& task, const PlannedFrame& frame) {
 void write_network_fixture(const std::filesystem::path& folder) {
   const Study study = read_study_text(study_text(), "networks.toml");
   write_results_study(folder, study);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> tasks = plan_tasks(study);
   for (const char* sub : {"ensemble", "tables"}) make_folder(folder / sub);
   write_tables(folder, tasks);
   for (const Task& task : tasks) {

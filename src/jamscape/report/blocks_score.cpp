@@ -31,7 +31,7 @@ Json score_block(const Results& results) {
   const std::string_view text = study.info.targets.empty() ? std::string_view() : builtin_file(name);
   if (text.empty()) return nullptr;
   const std::vector<Target> targets = read_targets(text, name);
-  const std::vector<Task> tasks = list_tasks(study);
+  const std::vector<Task> tasks = stored_tasks(study, results.places.results);
   const std::vector<DoneTask> done = find_done(study, tasks, results.places, results.left_out);
   if (done.empty()) return nullptr;
 

@@ -96,7 +96,7 @@ std::vector<PictureFrame> chosen_frames(const std::vector<PictureFrame>& all, co
 std::vector<PictureSource> choose_pictures(const Results& results) {
   const auto jamming = jamming_points(results);
   std::vector<PictureSource> sources;
-  for (const Task& task : list_tasks(results.study)) {
+  for (const Task& task : stored_tasks(results.study, results.places.results)) {
     const bool new_system = sources.empty() || sources.back().task.system != task.system;
     if (!new_system && !sources.back().frames.empty()) continue;
     const TaskFolder folder = folder_with_rows(results.places, task.hash, {&find_measure("diagram")});

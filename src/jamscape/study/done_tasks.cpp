@@ -51,23 +51,20 @@ std::vector<DoneTask> find_collected(const Study& study, const std::vector<Task>
   return done;
 }
 
-/// Frames of a container are planned without a packing fraction: they get the mean over the realisations, so that one
-/// state has one abscissa.
+/// Where the abscissa is what comes out, frames get its mean over the realisations, so that one state has one.
 void set_reached_fractions(const Study& study, std::vector<DoneTask>& done) {
-  const auto planned_without = [](const DoneTask& d, std::size_t f) {
-    return f < d.task->plan.frames.size() && std::isnan(d.task->plan.frames[f].packing_fraction);
-  };
   constexpr std::size_t fraction = 2;  // of instant_measure(): step, time, packing_fraction, ...
-  for (const auto& group : by_system(study, done)) {
+  for (std::size_t s = 0; s < study.systems.size(); ++s) {
+    if (plans_packing_fraction(study.systems[s].options)) continue;
     std::map<std::size_t, std::vector<double>> found;
-    for (const DoneTask* d : group)
-      for (std::size_t f = 0; f < d->frames.size(); ++f)
-        if (planned_without(*d, f)) found[f].push_back(read_frame_rows(*d, instant_measure())[f].at(0).at(fraction));
-    if (found.empty()) continue;
+    for (const DoneTask& d : done) {
+      if (d.task->system != s) continue;
+      const FrameRows rows = read_frame_rows(d, instant_measure());
+      for (std::size_t f = 0; f < rows.size(); ++f) found[f].push_back(rows[f].at(0).at(fraction));
+    }
     for (DoneTask& d : done)
-      if (d.task->system == group.front()->task->system)
-        for (std::size_t f = 0; f < d.frames.size(); ++f)
-          if (planned_without(d, f)) d.frames[f].packing_fraction = moments(found[f]).mean;
+      if (d.task->system == s)
+        for (std::size_t f = 0; f < d.frames.size(); ++f) d.frames[f].packing_fraction = moments(found[f]).mean;
   }
 }
 

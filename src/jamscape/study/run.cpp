@@ -7,6 +7,7 @@
 #include "jamscape/base/files.hpp"
 #include "jamscape/base/threads.hpp"
 #include "jamscape/study/measure_task.hpp"
+#include "jamscape/study/plan_file.hpp"
 #include "jamscape/study/simulate_task.hpp"
 
 namespace jam {
@@ -66,6 +67,7 @@ class Runner {
         listener_.skipped(index);
         return Ending::skipped;
       }
+      write_plan(folder, study_.systems[task.system].options, task.plan);
       bool done = has_all_frames(folder, task.plan);
       if (!done) listener_.started(index, fs::exists(folder.checkpoint()));
       fs::remove(folder.path() / "failed.txt");

@@ -10,7 +10,9 @@
 #include "jamscape/base/error.hpp"
 #include "jamscape/base/nearest.hpp"
 #include "jamscape/protocol/start.hpp"
+#include "jamscape/study/collected.hpp"
 #include "jamscape/study/identity.hpp"
+#include "jamscape/study/plan_file.hpp"
 
 namespace jam {
 namespace {
@@ -29,27 +31,45 @@ int cost_class(const Task& task) {
   return static_cast<int>(std::floor(std::log(std::max(1.0, task.cost())) / std::log(1.25)));
 }
 
-}  // namespace
-
-std::vector<Task> list_tasks(const Study& study) {
+/// Named, not planned.
+std::vector<Task> name_tasks(const Study& study) {
   std::vector<Task> tasks;
   const auto seed = static_cast<std::uint64_t>(study.info.seed);
   for (std::size_t s = 0; s < study.systems.size(); ++s) {
-    const System& system = study.systems[s];
-    for (std::int64_t r = 0; r < study.info.realisations; ++r) {
-      Task task;
-      task.system = s;
-      task.realisation = static_cast<std::uint64_t>(r);
-      task.key = task_key(system.options, seed, task.realisation);
-      task.hash = task_hash(system.options, seed, task.realisation);
-      try {
-        if (r == 0) check_start(system.options);
-        task.plan = plan(system.options, task.key);
-      } catch (const Error& error) {
-        throw with_place(error, system, study.file);
-      }
-      tasks.push_back(std::move(task));
-    }
+    const SystemOptions& options = study.systems[s].options;
+    for (std::uint64_t r = 0; r < static_cast<std::uint64_t>(study.info.realisations); ++r)
+      tasks.push_back({s, r, task_key(options, seed, r), task_hash(options, seed, r), {}});
+  }
+  return tasks;
+}
+
+/// Fills in the plan.
+void plan_task(const Study& study, Task& task) {
+  const System& system = study.systems[task.system];
+  try {
+    if (task.realisation == 0) check_start(system.options);
+    task.plan = plan(system.options, task.key);
+  } catch (const Error& error) {
+    throw with_place(error, system, study.file);
+  }
+}
+
+}  // namespace
+
+std::vector<Task> plan_tasks(const Study& study) {
+  std::vector<Task> tasks = name_tasks(study);
+  for (Task& task : tasks) plan_task(study, task);
+  return tasks;
+}
+
+std::vector<Task> stored_tasks(const Study& study, const std::filesystem::path& results) {
+  std::vector<Task> tasks = name_tasks(study);
+  if (is_collected(results)) return tasks;  // the tables name their frames
+  for (Task& task : tasks) {
+    if (auto known = read_plan(TaskFolder(results, task.hash), study.systems[task.system].options))
+      task.plan = std::move(*known);
+    else
+      plan_task(study, task);
   }
   return tasks;
 }

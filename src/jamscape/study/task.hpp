@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,13 @@ struct Task {
   double cost() const { return static_cast<double>(plan.steps) * static_cast<double>(plan.bodies); }
 };
 
-/// All tasks; systems with equal physics share tasks of one hash. Throws a usage error with the place in the study file
-/// for a system that cannot be.
-std::vector<Task> list_tasks(const Study& study);
+/// All tasks, planned; systems with equal physics share tasks of one hash. Throws a usage error with the place in the
+/// study file for a system that cannot be.
+std::vector<Task> plan_tasks(const Study& study);
+
+/// The tasks of results that are there: with the plans their folders hold (plan_file.hpp). Only what was never run, or
+/// by an earlier version, is planned.
+std::vector<Task> stored_tasks(const Study& study, const std::filesystem::path& results);
 
 /// The tasks of the systems of these names. Throws a usage error for a name that no system has.
 std::vector<Task> tasks_of(const Study& study, const std::vector<Task>& tasks, const std::vector<std::string>& systems);

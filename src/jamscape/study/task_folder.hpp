@@ -1,6 +1,7 @@
 // The folder of a task, DIR/tasks/<hash>/:
 //
 //   task.toml       what it is: a study file of this one system, and who simulated it
+//   plan.csv        which frames it is asked for (plan_file.hpp)
 //   frames/*.h5     frames taken so far (index in the plan, six digits), until the task ends
 //   frames.damaged-N/   frames that could not be read when the task ended; it was simulated again
 //   checkpoint.h5   the complete state to go on from, until the task ends
@@ -34,6 +35,7 @@ class TaskFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path run_file() const { return path_ / "run.h5"; }
+  std::filesystem::path plan() const { return path_ / "plan.csv"; }
   std::filesystem::path checkpoint() const { return path_ / "checkpoint.h5"; }
   std::filesystem::path frame(std::size_t index) const;
   std::filesystem::path frames() const { return path_ / "frames"; }

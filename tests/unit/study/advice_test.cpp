@@ -10,7 +10,7 @@ std::vector<std::string> said(const std::string& more) {
       "[study]\nname = \"a\"\nrealisations = 3\n[grains]\ncount = 100\n[start]\npacking_fraction = 0.5\n[[stage]]\nname "
       "= \"compress\"\nto = 0.8\nspeed = 1e-3\nframes = 4\n",
       "a.toml", {read_setting(more)});
-  return advice(study, list_tasks(study));
+  return advice(study, plan_tasks(study));
 }
 
 void expect(const std::string& setting, const std::string& words) {

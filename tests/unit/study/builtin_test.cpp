@@ -21,7 +21,7 @@ TEST(BuiltinStudies, AreThereAndCanBe) {
     const Study study = read_study_text(builtin_file(file), file);
     EXPECT_EQ(study.info.name, name);
     EXPECT_FALSE(study.info.title.empty()) << name;
-    EXPECT_FALSE(list_tasks(study).empty()) << name;
+    EXPECT_FALSE(plan_tasks(study).empty()) << name;
   }
 }
 
@@ -39,18 +39,18 @@ TEST(BuiltinStudies, Kramar2013IsThePapersSystem) {
     EXPECT_EQ(system.options.contact.restitution, 0.5);
     EXPECT_EQ(system.options.domain.walls, WallModel::beads);
   }
-  const std::vector<Task> tasks = list_tasks(s);
+  const std::vector<Task> tasks = plan_tasks(s);
   EXPECT_EQ(tasks.size(), 120u);
   EXPECT_EQ(tasks.front().plan.frames.size(), 112u) << "100 frames and the multiples of .02";
 }
 
 TEST(BuiltinStudies, TheVariantsShareTheirRunsWithTheWhole) {
   const Study whole = read_study_text(builtin_file("kramar2013.toml"), "whole");
-  const std::vector<Task> all = list_tasks(whole);
+  const std::vector<Task> all = plan_tasks(whole);
   for (const System& system : whole.systems) {
     const std::string file = "kramar2013-" + system.name + ".toml";
     const Study one = read_study_text(builtin_file(file), file);
-    const std::string hash = list_tasks(one).front().hash;
+    const std::string hash = plan_tasks(one).front().hash;
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Task& t) { return t.hash == hash; })) << file;
   }
 }
@@ -85,7 +85,7 @@ TEST(BuiltinStudies, NetworksAreThePapersThreeSystems) {
                                : M_PI / 4 * (2 * std::pow(d_small, 2) + std::pow(d_large, 2)) / 3;
     EXPECT_NEAR(o.stages[0].to, static_cast<double>(o.grains.count) * area / std::pow(box[k], k == 2 ? 3 : 2), 6e-4);
   }
-  const std::vector<Task> tasks = list_tasks(s);
+  const std::vector<Task> tasks = plan_tasks(s);
   ASSERT_EQ(tasks.size(), 60u);
   EXPECT_EQ(tasks[0].plan.frames.size(), 13u) << ".65 to .89";
   EXPECT_EQ(tasks[59].plan.frames.size(), 22u) << ".29 to .71";
@@ -107,10 +107,10 @@ TEST(BuiltinStudies, FinerStepsGoFromBelowJammingToAbove) {
 }
 
 TEST(BuiltinStudies, OneSystemOfNetworksSharesItsRunsWithTheWhole) {
-  const std::vector<Task> all = list_tasks(read_study_text(builtin_file("networks-2d-3d.toml"), "whole"));
+  const std::vector<Task> all = plan_tasks(read_study_text(builtin_file("networks-2d-3d.toml"), "whole"));
   for (const char* system : {"2d-linear", "2d-hertz", "3d-hertz"}) {
     const std::string file = std::string("networks-2d-3d-") + system + ".toml";
-    const std::string hash = list_tasks(read_study_text(builtin_file(file), file)).front().hash;
+    const std::string hash = plan_tasks(read_study_text(builtin_file(file), file)).front().hash;
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Task& t) { return t.hash == hash; })) << file;
   }
 }

@@ -57,7 +57,7 @@ class Readings : public testing::Test {
         "[study]\nname = \"s\"\nrealisations = 5\n[grains]\ncount = 50\n[[stage]]\nname = \"steps\"\nkind = "
         "\"steps\"\nto = 0.9\n",
         "s.toml");
-    tasks = list_tasks(study);
+    tasks = plan_tasks(study);
     done = find_done(study, tasks, ResultPlaces(folder));
   }
   void TearDown() override { fs::remove_all(folder); }

@@ -11,7 +11,7 @@ namespace jam {
 namespace {
 
 std::vector<Task> tasks(const std::string& more = {}) {
-  return list_tasks(read_study_text(std::string(small_study) + more, "s.toml"));
+  return plan_tasks(read_study_text(std::string(small_study) + more, "s.toml"));
 }
 
 TEST(Tasks, OneForEachSystemAndRealisation) {
@@ -27,7 +27,7 @@ TEST(Tasks, OneForEachSystemAndRealisation) {
 TEST(Tasks, MoreRealisationsAndSystemsLeaveTheOthersAsTheyAre) {
   const std::vector<Task> before = tasks();
   const std::vector<Task> after =
-      list_tasks(read_study_text(std::string(small_study) + "[[system]]\nname = \"new\"\ncontact.friction = 0.1\n",
+      plan_tasks(read_study_text(std::string(small_study) + "[[system]]\nname = \"new\"\ncontact.friction = 0.1\n",
                                  "s.toml", {{"study.realisations", "5"}, {"study.title", "new"}}));
   ASSERT_EQ(after.size(), 15u);
   for (const Task& b : before) {
