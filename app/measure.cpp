@@ -45,6 +45,10 @@ Study with_settings(Study study, const MeasureArguments& a) {
 
 ExitCode measure_results(const MeasureArguments& a) {
   const fs::path dir = a.files.front();
+  for (const std::string& text : a.settings)
+    if (read_setting(text).key == "measure.gravity")
+      throw usage_error("measure.gravity is for packings of files: the systems of a study have their own", "--set",
+                        "domain.gravity, in a new run");
   Study study = with_settings(study_of_results(dir), a);
   if (!a.names.empty() && !study.measures.list.empty())
     for (const std::string& name : a.names)

@@ -18,6 +18,7 @@
 #include "jamscape/io/plain_text.hpp"
 #include "jamscape/io/run_file.hpp"
 #include "jamscape/observe/measure.hpp"
+#include "jamscape/study/study.hpp"
 #include "jamscape/topology/bins.hpp"
 #include "jamscape/topology/total.hpp"
 #include "memory_check.hpp"
@@ -84,6 +85,20 @@ std::string empty_reason(const FileRequest& request, std::size_t contacts) {
 
 bool is_run(const std::string& file) { return fs::path(file).extension() == ".h5"; }
 
+/// Of a run: with the gravity that its grains felt, unless another is asked for.
+MeasureOptions options_of(const RunFile& run, const FileRequest& request) {
+  MeasureOptions options = request.options;
+  const std::string study = run.provenance().study;
+  if (study.empty() || std::find(request.set.begin(), request.set.end(), "measure.gravity") != request.set.end())
+    return options;
+  try {
+    options.gravity = read_study_text(study, "the study of the run").systems.at(0).options.domain.gravity;
+  } catch (const std::exception&) {
+    // made by a program whose studies this one cannot read
+  }
+  return options;
+}
+
 /// All frames of a run, or the one asked for; counts what it has seen.
 Table measure_run(const std::string& file, const FileRequest& request, std::size_t& frames, std::size_t& contacts,
                   std::vector<std::string>& notes) {
@@ -93,12 +108,13 @@ Table measure_run(const std::string& file, const FileRequest& request, std::size
   if (request.frame && !(*request.frame >= 0 && *request.frame <= last && std::floor(*request.frame) == *request.frame))
     throw usage_error(fmt::format("there is no frame {} in '{}'", to_text(*request.frame), file), "--frame",
                       fmt::format("frames are counted from 0 to {}", to_text(last)));
+  const MeasureOptions options = options_of(run, request);
   for (std::size_t f = 0; f < run.frames(); ++f) {
     if (request.frame && static_cast<double>(f) != *request.frame) continue;
     const Packing packing = run.frame(f);
     contacts += packing.contacts.size();
     ++frames;
-    Table rows = measure_packing(packing, request.options, request.measures, notes);
+    Table rows = measure_packing(packing, options, request.measures, notes);
     if (rows_alone(request.measures)) {  // else rows of different frames could not be told apart
       Table named;
       named.add("frame", std::vector<std::int64_t>(rows.rows(), static_cast<std::int64_t>(f)));

@@ -87,6 +87,34 @@ class Packings(Case):
         self.assertIn("\\x1b[5m", noted.stderr)
 
 
+class Runs(Case):
+    def test_a_run_is_measured_with_its_own_gravity(self):
+        self.write("heavy.toml", """[study]
+name = "heavy"
+ledger = "open"
+[grains]
+count = 36
+[domain]
+walls = "flat"
+gravity = 0.01
+[measure]
+list = ["balance"]
+[[stage]]
+to = 0.8
+speed = 1e-2
+frames = 3
+""")
+        self.program("run", "heavy.toml", "--out", "out", "--quiet")
+        run = str(next((self.folder / "out/tasks").glob("*/run.h5")))
+        self.program("measure", run, "-m", "balance", "--out", "alone.csv")
+        whole = [r["unbalanced_force"] for r in self.rows("out/tables/frames.csv")]
+        self.assertEqual([r["unbalanced_force"] for r in self.rows("alone.csv")], whole)
+        self.program("measure", run, "-m", "balance", "--set", "measure.gravity=0", "--out", "without.csv")
+        self.assertNotEqual([r["unbalanced_force"] for r in self.rows("without.csv")], whole)
+        error = self.program("measure", "out", "--set", "measure.gravity=1", code=2).stderr
+        self.assertIn("domain.gravity", error)
+
+
 class Networks(Case):
     def test_lifetimes_on_the_edge_of_rough(self):
         self.write("n.csv", "i,j,force\n1,2,11\n3,4,11\n2,3,10\n5,6,5\n7,8,5\n6,7,4\n9,10,24\n")
