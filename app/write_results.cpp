@@ -21,7 +21,7 @@ namespace {
 
 std::string with_error(const Transition& t) {
   if (!std::isfinite(t.value)) {
-    const std::string why(why_missing(t.quantity));
+    const std::string why = why_missing(t);
     return why.substr(0, why.find(':'));  // "no fit"; `jamscape score` and the documentation say why
   }
   return std::isfinite(t.se) ? fmt::format("{:.4f} +- {:.4f}", t.value, t.se) : fmt::format("{:.4f}", t.value);

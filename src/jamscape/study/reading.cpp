@@ -72,8 +72,7 @@ Reading Reader::read(const Side& side, std::size_t system) {
   if (side.quantity.empty()) return {{std::numeric_limits<std::size_t>::max(), side.value, 0, 0}, {}};
   if (done_[system].empty()) return missing("no runs");
   for (const Transition& t : transitions(system))
-    if (t.quantity == side.quantity)
-      return {{t.n, t.value, none, t.se}, std::isfinite(t.value) ? "" : std::string(why_missing(t.quantity))};
+    if (t.quantity == side.quantity) return {{t.n, t.value, none, t.se}, std::isfinite(t.value) ? "" : why_missing(t)};
   return side.quantity.find('.') == std::string::npos ? read_column(side, system) : read_rows(side, system);
 }
 

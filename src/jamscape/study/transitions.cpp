@@ -15,14 +15,15 @@
 #include "jamscape/study/identity.hpp"
 #include "jamscape/study/pooled_forces.hpp"
 #include "jamscape/study/tables.hpp"
+#include "jamscape/study/transition_kinds.hpp"
 
 namespace jam {
 namespace {
 
 using Curves = std::vector<std::vector<double>>;
 
-constexpr double jammed_z = 3;      // S1's criterion
-constexpr double fit_range = 0.05;  // how far from rho_c the fit of the inflection looks
+constexpr double jammed_z = 3;       // S1's criterion
+constexpr double fit_range = 0.05;   // how far from rho_c the fit of the inflection looks
 constexpr double onset_range = 100;  // pressures, in those of the onset, that its line looks at
 constexpr std::size_t resamples = 200;
 
@@ -127,7 +128,15 @@ Transition percolation(const std::vector<double>& x, const Curves& percolates) {
 
 }  // namespace
 
-std::vector<Transition> find_jamming(const FrameSeries& series, const Jamming& at, std::uint64_t seed,
+std::string why_missing(const Transition& t) {
+  if (t.left_out == 0) return std::string(why_missing(t.quantity));
+  return fmt::format("marked: {} states are left out, whose energy ledger is off", t.left_out);
+}
+
+namespace {
+
+/// Of the states that no run has marked.
+std::vector<Transition> find_in_kept(const FrameSeries& series, const Jamming& at, std::uint64_t seed,
                                      const std::string& key) {
   const Curves* z = series.find("z");
   if (!z || series.realisations == 0 || series.target.empty()) return {};
@@ -163,6 +172,17 @@ std::vector<Transition> find_jamming(const FrameSeries& series, const Jamming& a
   return found;
 }
 
+}  // namespace
+
+std::vector<Transition> find_jamming(const FrameSeries& series, const Jamming& at, std::uint64_t seed,
+                                     const std::string& key) {
+  std::vector<Transition> found = find_in_kept(series, at, seed, key);
+  if (series.left_out.empty()) return found;
+  for (Transition& t : found)
+    for (const std::size_t state : series.states()) t.left_out += series.left_out[state];
+  return found;
+}
+
 std::vector<Transition> find_transitions(const Study& study, std::size_t system,
                                          const std::vector<const DoneTask*>& done,
                                          const std::vector<const Measure*>& measures, const FrameSeries& series) {
@@ -170,8 +190,7 @@ std::vector<Transition> find_transitions(const Study& study, std::size_t system,
   const auto seed = static_cast<std::uint64_t>(study.info.seed);
   const std::string key = physics_key(options);
   std::vector<Transition> found;
-  const Jamming at{study.measure.jamming_z, study.measure.jamming_pressure,
-                   hertzian(options.contact.law) ? 1.5 : 1.0};
+  const Jamming at{study.measure.jamming_z, study.measure.jamming_pressure, hertzian(options.contact.law) ? 1.5 : 1.0};
   if (plans_packing_fraction(options)) found = find_jamming(series, at, seed, key);
   for (Transition& t : pooled_forces(done, measures, series, seed, key)) found.push_back(std::move(t));
   return found;

@@ -16,9 +16,13 @@ namespace jam {
 struct Transition {
   std::string quantity;
   std::size_t n = 0;
-  double value = 0;  ///< NaN where there is none
-  double se = 0;     ///< NaN where it cannot be estimated
+  double value = 0;          ///< NaN where there is none
+  double se = 0;             ///< NaN where it cannot be estimated
+  std::size_t left_out = 0;  ///< states that were not looked at, since a frame of them is marked (ledger.hpp)
 };
+
+/// Why it has no value.
+std::string why_missing(const Transition& transition);
 
 /// What counts as jammed beside S1's and S2's readings (options jamming_z, jamming_pressure).
 struct Jamming {

@@ -61,7 +61,8 @@ TEST(Transitions, AFrameGivenTwiceDoesNoHarm) {
   s.kinds.insert(s.kinds.begin() + 50, s.kinds[50]);
   for (auto& quantity : s.value)
     for (auto& run : quantity) run.insert(run.begin() + 50, run[50]);
-  EXPECT_EQ(get(find_jamming(s, {}, 1, "key"), "rho_c").value, get(find_jamming(jumping(), {}, 1, "key"), "rho_c").value);
+  EXPECT_EQ(get(find_jamming(s, {}, 1, "key"), "rho_c").value,
+            get(find_jamming(jumping(), {}, 1, "key"), "rho_c").value);
 }
 
 TEST(Transitions, NoneBelowJammingAndWithoutZ) {
@@ -145,9 +146,17 @@ TEST(Transitions, LeaveFramesOutThatARunHasMarked) {
   s.left_out.assign(s.target.size(), false);
   for (std::size_t k = 60; k < s.target.size(); ++k) {  // from .82 on
     s.left_out[k] = true;
-    for (auto& run : s.value[1]) run[k] = std::nan("");
+    for (auto& curves : s.value)
+      for (auto& run : curves) run[k] = k < 80 ? 0 : 6;  // would put the last crossing there
   }
   EXPECT_NEAR(get(find_jamming(s, {}, 1, "key"), "rho_c").value, 0.81, 1e-4);
+  const std::size_t marked = s.target.size() - 60;
+  s.left_out.assign(s.target.size(), false);
+  for (std::size_t k = 40; k < s.target.size(); ++k) s.left_out[k] = true;  // all jammed ones
+  const Transition none_left = get(find_jamming(s, {}, 1, "key"), "rho_c");
+  EXPECT_TRUE(std::isnan(none_left.value));
+  EXPECT_EQ(none_left.left_out, marked + 20);
+  EXPECT_NE(why_missing(none_left).find("marked"), std::string::npos) << why_missing(none_left);
   s.left_out.assign(s.target.size(), true);
   EXPECT_TRUE(find_jamming(s, {}, 1, "key").empty());
 }
