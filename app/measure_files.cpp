@@ -86,15 +86,17 @@ std::string empty_reason(const FileRequest& request, std::size_t contacts) {
 bool is_run(const std::string& file) { return fs::path(file).extension() == ".h5"; }
 
 /// Of a run: with the gravity that its grains felt, unless another is asked for.
-MeasureOptions options_of(const RunFile& run, const FileRequest& request) {
+MeasureOptions options_of(const RunFile& run, const std::string& file, const FileRequest& request,
+                          std::vector<std::string>& notes) {
   MeasureOptions options = request.options;
   const std::string study = run.provenance().study;
   if (study.empty() || std::find(request.set.begin(), request.set.end(), "measure.gravity") != request.set.end())
     return options;
   try {
     options.gravity = read_study_text(study, "the study of the run").systems.at(0).options.domain.gravity;
-  } catch (const std::exception&) {
-    // made by a program whose studies this one cannot read
+  } catch (const std::exception&) {  // made by a program whose studies this one cannot read
+    notes.push_back(fmt::format("the study of '{}' cannot be read: its gravity is taken as measure.gravity = {}", file,
+                                to_text(options.gravity)));
   }
   return options;
 }
@@ -108,7 +110,7 @@ Table measure_run(const std::string& file, const FileRequest& request, std::size
   if (request.frame && !(*request.frame >= 0 && *request.frame <= last && std::floor(*request.frame) == *request.frame))
     throw usage_error(fmt::format("there is no frame {} in '{}'", to_text(*request.frame), file), "--frame",
                       fmt::format("frames are counted from 0 to {}", to_text(last)));
-  const MeasureOptions options = options_of(run, request);
+  const MeasureOptions options = options_of(run, file, request, notes);
   for (std::size_t f = 0; f < run.frames(); ++f) {
     if (request.frame && static_cast<double>(f) != *request.frame) continue;
     const Packing packing = run.frame(f);

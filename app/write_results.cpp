@@ -84,7 +84,8 @@ void print_summary(const Study& study, const std::vector<std::vector<Transition>
       fmt::print("{:{}}  {:4}  {:19}  {:35}  {}\n", study.systems[s].name, width, c->n, with_error(*c),
                  multi ? with_error(*multi) : "", bend ? with_error(*bend) : "");
     else
-      fmt::print("{:{}}  no runs, or the measure 'coordination' was not taken\n", study.systems[s].name, width);
+      fmt::print("{:{}}  no runs, the measure 'coordination' was not taken, or every state is marked\n",
+                 study.systems[s].name, width);
   }
 }
 

@@ -121,10 +121,13 @@ class Runs(Case):
         plans = list((self.folder / "out/tasks").glob("*/plan.csv"))
         self.assertEqual(len(plans), 4)
         self.program("report", "out", "--out", "kept")
-        for plan in plans:  # as in folders of earlier versions
+        plans[0].write_text("".join(plans[0].read_text().splitlines(True)[:-1]))  # a line less
+        for plan in plans[1:]:  # as in folders of earlier versions
             plan.unlink()
         self.program("report", "out", "--out", "planned")
-        for table in ("tables/frames.csv", "ensemble/frames.csv", "ensemble/transitions.csv"):
+        tables = [t.relative_to(self.folder / "kept") for t in (self.folder / "kept").glob("*/*.csv")]
+        self.assertGreater(len(tables), 10)
+        for table in tables:
             self.assertEqual((self.folder / "kept" / table).read_bytes(), (self.folder / "planned" / table).read_bytes())
 
     def test_a_failing_run_lets_the_others_go_on(self):

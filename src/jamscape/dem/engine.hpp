@@ -1,8 +1,7 @@
 // One simulation in motion: bodies, pair list, walls and the clock.
 //
 //   run(n)             n steps: the forces of an instant, and the motion to the next; a stretch of grains is moved as
-//   soon
-//                      as the forces on it are known
+//                      soon as the forces on it are known
 //   compute_forces()   the forces of this instant alone. They are kept until the clock goes on: whoever asks again, for
 //                      them or for a record, books nothing twice, and run() goes on from them
 //

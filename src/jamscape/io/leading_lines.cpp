@@ -109,7 +109,9 @@ std::optional<std::vector<double>> LeadingLines::numbers(std::string_view key, s
     throw data_error(fmt::format("the line '# {}: {}' should hold {} number{}", key, shown(line->value), count,
                                  count == 1 ? "" : "s"),
                      line->place,
-                     key == "periodic" ? "1 where the box repeats, 0 where it does not: '# periodic: 1 1 0'" : "");
+                     key != "periodic" ? ""
+                     : count == 2      ? "1 where the box repeats, 0 where it does not: '# periodic: 1 1'"
+                                       : "1 where the box repeats, 0 where it does not: '# periodic: 1 1 0'");
   return found;
 }
 

@@ -179,8 +179,8 @@ std::vector<std::size_t> read_grains(const CsvFile& csv, const LeadingLines& lin
 std::optional<Vec3> corner(const LeadingLines& lines, const char* key, int dimension) {
   const CsvRemark* line = lines.find(key);
   if (line == nullptr) return {};
-  auto values = dimension == 2 ? parse_numbers(line->value, 2) : std::nullopt;
-  if (!values) values = lines.numbers(key, 3);
+  auto values = parse_numbers(line->value, 3);
+  if (!values) values = lines.numbers(key, static_cast<std::size_t>(dimension));
   values->resize(3, 0);
   return Vec3{(*values)[0], (*values)[1], (*values)[2]};
 }
@@ -195,7 +195,8 @@ Domain read_domain(const LeadingLines& lines, const Packing& packing, std::vecto
                       : hi ? lines.find("hi")
                            : lines.find("periodic"))
                          ->place,
-                     "give '# lo: x y z' and '# hi: x y z', with periodic or without");
+                     packing.dimension == 2 ? "give '# lo: x y' and '# hi: x y', with periodic or without"
+                                            : "give '# lo: x y z' and '# hi: x y z', with periodic or without");
   for (int k = 0; periodic && k < 3; ++k)
     if ((*periodic)[k] != 0 && (*periodic)[k] != 1)
       throw data_error(fmt::format("'{}' is neither 0 nor 1", to_text((*periodic)[k])), lines.find("periodic")->place,
@@ -217,7 +218,11 @@ Domain read_domain(const LeadingLines& lines, const Packing& packing, std::vecto
   }
   if (const CsvRemark* line = lines.find("tilt")) {
     const auto tilt = lines.numbers("tilt", 9);
-    for (std::size_t n = 0; n < 9; ++n) domain.tilt[n / 3][static_cast<int>(n % 3)] = n % 4 == 0 ? 0 : (*tilt)[n];
+    for (std::size_t n = 0; n < 9; ++n) domain.tilt[n / 3][static_cast<int>(n % 3)] = (*tilt)[n];
+    for (int k = 0; k < 3; ++k)
+      if (domain.tilt[static_cast<std::size_t>(k)][k] != 0)
+        throw data_error(fmt::format("edge {} of the cell is given twice along {}", "xyz"[k], "xyz"[k]), line->place,
+                         "hi - lo has it; of a box sheared along x: '# tilt: 0 0 0 yx 0 0 0 0 0'");
     if (!lo)
       throw data_error("a tilted cell is given in part", line->place, "give '# lo: x y z' and '# hi: x y z' too");
   }

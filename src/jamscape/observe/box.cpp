@@ -40,10 +40,8 @@ Measure box_measure() {
       {"box", "sides of the box",
        "distances between opposite walls (between the lines of bead centres for bead walls), or periodic lengths; of a "
        "cylinder, of the box around it. Of a tilted cell whose first edge lies along x and whose second in the plane "
-       "of x "
-       "and y (a sheared box) the length of the first, and the heights of the second along y and of the third along z; "
-       "of "
-       "other tilted cells missing, unless they stand for the same lattice as an upright one.",
+       "of x and y (a sheared box) the length of the first, and the heights of the second along y and of the third "
+       "along z; of other tilted cells missing, unless they stand for the same lattice as an upright one.",
        "theory sec. 1, 6a"},
       {{"box_lx", "d", "along x"}, {"box_ly", "d", "along y"}, {"box_lz", "d", "along z; 0 in two dimensions"}},
       [](const Snapshot& s) {

@@ -32,8 +32,8 @@ Measure kinetic_stress_measure() {
       {"kinetic_stress", "stress of the grains' motion",
        "sigma_ab = -(1/V) sum over grains of m (v - <v>)_a (v - <v>)_b, <v> = (sum m v)/(sum m), V as for stress; "
        "negative trace, kinetic_pressure = -trace/D. The measure stress is the contact part alone: while grains move "
-       "the two add up. Elements with z are 0 in two dimensions. Missing where the velocities are not "
-       "given.",
+       "the two add up. Elements with z are 0 in two dimensions. Missing where the velocities are "
+       "not given.",
        "theory sec. 4"},
       {{"kinetic_stress_xx", unit, "not above 0"},
        {"kinetic_stress_yy", unit, "not above 0"},

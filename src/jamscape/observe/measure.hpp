@@ -63,7 +63,7 @@ struct Measure {
   Needs needs = {};
 };
 
-/// Why a measure means nothing on a packing ("velocities are not known"); empty where it does. Its columns are missing
+/// Why a measure means nothing on a packing ("velocities are not given"); empty where it does. Its columns are missing
 /// there, or it has no rows.
 std::string lacking(const Needs& needs, const Packing& packing);
 

@@ -46,14 +46,12 @@ Measure solid_fraction_measure() {
   return frame_measure(
       {"solid_fraction", "solid fraction and load",
        "solid_fraction = sum V/(volume of the space up to the lid, V of the measure stress), V the union of a "
-       "cluster's arms; in two dimensions "
-       "of "
-       "clusters the space is as thick as an arm, of discs areas are taken. weight_over_load = (weight of the "
+       "cluster's arms; in two dimensions of clusters the space is as thick as an arm, of discs areas are taken. "
+       "weight_over_load = (weight of the "
        "grains)/(force on the lid): what S3's 500 N leave of the gradient of gravity. The weight is what all walls "
-       "carry, "
-       "which is right while the grains rest. The lid is the last wall that is no cylinder; without one, or where it "
-       "carries "
-       "nothing, weight_over_load is missing.",
+       "carry, which is right while the grains rest. The lid is the wall of that role (where roles are not given, the "
+       "last one "
+       "that is no cylinder); without one, or where it carries nothing, weight_over_load is missing.",
        "S3, Data analysis and Suppl.; theory sec. 4, 5"},
       {{"solid_fraction", "", "volume of the grains over that of the space; overlaps count twice"},
        {"area_fraction", "", "area of the grains over that of the space; 0 in three dimensions"},

@@ -6,7 +6,8 @@
 //   weight_over_load = weight of the bodies / force on the lid, the weight being the force of the bodies on all walls
 //                     down the lid's normal, which is theirs while they rest, whatever friction the sides have
 //
-// The lid is the last wall (not a cylinder). Source: S3 Data analysis; theory sec. 4 and 5 ("S3 500 N").
+// The lid is the wall of that role (packing/wall_roles.hpp). Source: S3 Data analysis; theory sec. 4 and 5 ("S3 500
+// N").
 #pragma once
 
 #include "jamscape/observe/measure.hpp"

@@ -13,11 +13,6 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 bool same_bits(const std::string& a, const std::string& b) { return a == b; }
-bool same_bits(bool a, bool b) { return a == b; }
-bool same_bits(const std::array<bool, 3>& a, const std::array<bool, 3>& b) { return a == b; }
-bool same_bits(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);

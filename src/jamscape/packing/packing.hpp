@@ -89,7 +89,6 @@ struct Domain {
   std::array<Vec3, 3> tilt{};      ///< of edge k, without component k; zero in an upright cell
 
   bool upright() const { return tilt == std::array<Vec3, 3>{}; }
-  const Vec3& origin() const { return lo; }
   Vec3 edge(int k) const {
     Vec3 e = tilt[static_cast<std::size_t>(k)];
     e[k] = hi[k] - lo[k];

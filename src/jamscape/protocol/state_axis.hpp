@@ -6,14 +6,11 @@
 namespace jam {
 
 struct StateAxis {
-  std::string_view name;    ///< column
-  std::string_view symbol;  ///< of the field
-  std::string_view unit;
-  std::string_view label;
-  bool planned;  ///< every frame has its value before the simulation; otherwise it is what comes out
+  std::string_view name;  ///< column
+  bool planned;           ///< every frame has its value before the simulation; otherwise it is what comes out
 };
 
-inline constexpr StateAxis planned_packing_fraction = {"packing_fraction_target", "rho", "", "packing fraction", true};
-inline constexpr StateAxis reached_packing_fraction = {"packing_fraction_target", "rho", "", "packing fraction", false};
+inline constexpr StateAxis planned_packing_fraction = {"packing_fraction_target", true};
+inline constexpr StateAxis reached_packing_fraction = {"packing_fraction_target", false};
 
 }  // namespace jam

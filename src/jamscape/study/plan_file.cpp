@@ -8,7 +8,6 @@
 #include "jamscape/base/files.hpp"
 #include "jamscape/base/hash.hpp"
 #include "jamscape/io/csv.hpp"
-#include "jamscape/study/identity.hpp"
 #include "jamscape/study/study.hpp"
 
 namespace jam {
@@ -16,11 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of everything that decides which frames there are: the stages' names and frames belong to it.
-std::string key_of(const SystemOptions& system) {
-  std::string text = physics_text(system);
-  SystemOptions options = system;
-  for (const Option& option : system_options(options)) text += option.key + " = " + print_value(option) + "\n";
+/// Of all options of the system, those of its stages and their frames included.
+std::string key_of(SystemOptions system) {
+  std::string text;
+  for (const Option& option : system_options(system)) text += option.key + " = " + print_value(option) + "\n";
   return short_hash("jamscape plan\n" + text);
 }
 
@@ -37,10 +35,10 @@ std::string text_of(const SystemOptions& system, const Plan& plan) {
   table.add("packing_fraction", std::move(fraction));
   table.add("step", std::move(step));
   table.add("relaxed", std::move(relaxed));
-  return to_csv(table, {{"key", key_of(system)},
-                        {"steps", fmt::format("{}", plan.steps)},
-                        {"bodies", fmt::format("{}", plan.bodies)},
-                        {"start", fmt::format("{}", plan.start)}});
+  const std::string rows = to_csv(table, {{"steps", fmt::format("{}", plan.steps)},
+                                          {"bodies", fmt::format("{}", plan.bodies)},
+                                          {"start", fmt::format("{}", plan.start)}});
+  return fmt::format("# key: {}\n# sum: {}\n{}", key_of(system), short_hash(rows), rows);
 }
 
 std::string value_of(const CsvMetadata& lines, std::string_view key) {
@@ -60,9 +58,9 @@ void write_plan(const TaskFolder& folder, const SystemOptions& system, const Pla
 std::optional<Plan> read_plan(const TaskFolder& folder, const SystemOptions& system) try {
   std::error_code ignored;
   if (!fs::exists(folder.plan(), ignored)) return std::nullopt;
-  const CsvFile csv = CsvFile::read(folder.plan());
+  const std::string text = read_text(folder.plan());
+  const CsvFile csv = CsvFile::parse(text, folder.plan().string());
   const CsvMetadata lines = csv.metadata();
-  if (value_of(lines, "key") != key_of(system)) return std::nullopt;
   Plan plan;
   plan.axis = plans_packing_fraction(system) ? &planned_packing_fraction : &reached_packing_fraction;
   plan.steps = std::stoll(value_of(lines, "steps"));
@@ -74,6 +72,7 @@ std::optional<Plan> read_plan(const TaskFolder& folder, const SystemOptions& sys
   for (std::size_t k = 0; k < csv.rows(); ++k)
     plan.frames.push_back(
         {std::string(csv.field(k, 0)), fraction[k], static_cast<std::int64_t>(step[k]), relaxed[k] != 0});
+  if (text_of(system, plan) != text) return std::nullopt;  // of other options, cut short, or changed
   return plan;
 } catch (const std::exception&) {
   return std::nullopt;  // a list that cannot be read is made anew

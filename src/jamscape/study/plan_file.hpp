@@ -4,6 +4,7 @@
 // well.
 //
 //   # key: hash of the options that planned it; another study plans anew
+//   # sum: hash of everything below, so that a list cut short or changed is planned anew, too
 //   # steps, bodies, start: what the whole run takes (Plan)
 //   stage,packing_fraction,step,relaxed      a row a frame; an empty packing fraction is what comes out
 #pragma once
@@ -18,7 +19,7 @@ namespace jam {
 /// Into an existing folder, unless it holds the same already.
 void write_plan(const TaskFolder& folder, const SystemOptions& system, const Plan& plan);
 
-/// Nothing where there is none, where other options planned it, or where it cannot be read.
+/// Nothing where there is none, where other options planned it, or where its content is not what was written.
 std::optional<Plan> read_plan(const TaskFolder& folder, const SystemOptions& system);
 
 }  // namespace jam

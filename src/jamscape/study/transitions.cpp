@@ -126,25 +126,10 @@ Transition percolation(const std::vector<double>& x, const Curves& percolates) {
   return {"rho_p", m.n, m.mean, std::hypot(m.se, moments(gaps).mean / std::sqrt(12.0))};
 }
 
-}  // namespace
-
-std::string why_missing(const Transition& t) {
-  if (t.left_out == 0) return std::string(why_missing(t.quantity));
-  return fmt::format("marked: {} states are left out, whose energy ledger is off", t.left_out);
-}
-
-namespace {
-
-/// Of the states that no run has marked.
-std::vector<Transition> find_in_kept(const FrameSeries& series, const Jamming& at, std::uint64_t seed,
-                                     const std::string& key) {
+/// Made of these states, where z is known.
+std::vector<Transition> find_among(const FrameSeries& series, const std::vector<std::size_t>& kept, const Jamming& at,
+                                   std::uint64_t seed, const std::string& key) {
   const Curves* z = series.find("z");
-  if (!z || series.realisations == 0 || series.target.empty()) return {};
-  const std::vector<std::size_t> states = series.states(), rising = increasing(pick(series.target, states));
-  std::vector<std::size_t> kept;
-  for (const std::size_t k : rising)
-    if (series.left_out.empty() || !series.left_out[states[k]]) kept.push_back(states[k]);
-  if (kept.empty()) return {};
   const std::vector<double> x = pick(series.target, kept);
   const Curves zs = pick(*z, kept);
   std::vector<Transition> found;
@@ -174,12 +159,22 @@ std::vector<Transition> find_in_kept(const FrameSeries& series, const Jamming& a
 
 }  // namespace
 
+std::string why_missing(const Transition& t) {
+  const std::string_view why = why_missing(t.quantity);
+  if (t.left_out == 0) return std::string(why);
+  return fmt::format("marked: {} states are left out, whose energy ledger is off; of the others {}", t.left_out, why);
+}
+
 std::vector<Transition> find_jamming(const FrameSeries& series, const Jamming& at, std::uint64_t seed,
                                      const std::string& key) {
-  std::vector<Transition> found = find_in_kept(series, at, seed, key);
-  if (series.left_out.empty()) return found;
-  for (Transition& t : found)
-    for (const std::size_t state : series.states()) t.left_out += series.left_out[state];
+  if (!series.find("z") || series.realisations == 0 || series.target.empty()) return {};
+  const std::vector<std::size_t> states = series.states(), rising = increasing(pick(series.target, states));
+  std::vector<std::size_t> kept;
+  for (const std::size_t k : rising)
+    if (series.left_out.empty() || !series.left_out[states[k]]) kept.push_back(states[k]);
+  if (kept.empty()) return {};
+  std::vector<Transition> found = find_among(series, kept, at, seed, key);
+  for (Transition& t : found) t.left_out = rising.size() - kept.size();
   return found;
 }
 

@@ -34,9 +34,12 @@ DOCUMENTED = pathlib.Path(__file__).resolve().parents[3] / "docs" / "reference" 
 def check_documentation(run):
     """Every array that the page names is there, with the numbers it says, and its example runs."""
     page = DOCUMENTED.read_text()
+    rows = re.findall(r"^\| `(/\S+)` \| (\S+) \|(.*?)\|.*\| (.*) \|$", page, re.M)
+    assert len(rows) == page.count("| `/"), "a row of the page that is not understood"
+    assert len(rows) > 50
     with h5py.File(run, "r") as f:
         clusters = "shapes" in f
-        for path, kind, components, meaning in re.findall(r"^\| `(/\S+)` \| (\S+) \|(.*?)\|.*\| (.*) \|$", page, re.M):
+        for path, kind, components, meaning in rows:
             if path.startswith("/knows/") or path.endswith(("/tilt", "/relaxation")) or (path.startswith("/shapes/") and not clusters):
                 continue  # only where there is something to say
             if meaning.startswith("clusters") and not clusters:

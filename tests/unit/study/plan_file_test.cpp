@@ -62,6 +62,15 @@ TEST(PlanFile, OfOtherFramesOrDamagedItIsNoPlan) {
   const std::string text = read_text(kept.folder.plan());
   write_text(kept.folder.plan(), text.substr(0, text.size() - 3));
   EXPECT_FALSE(read_plan(kept.folder, kept.system).has_value());
+  const std::size_t last = text.rfind('\n', text.size() - 2) + 1;
+  write_text(kept.folder.plan(), text.substr(0, last));
+  EXPECT_FALSE(read_plan(kept.folder, kept.system).has_value()) << "a whole line less";
+  std::string other = text;
+  other.replace(other.find("0.68"), 4, "0.69");
+  write_text(kept.folder.plan(), other);
+  EXPECT_FALSE(read_plan(kept.folder, kept.system).has_value()) << "another number";
+  write_text(kept.folder.plan(), text);
+  EXPECT_TRUE(read_plan(kept.folder, kept.system).has_value());
 }
 
 TEST(PlanFile, TasksOfResultsHaveThePlansTheyWereRunBy) {
